@@ -126,6 +126,11 @@ class Claim:
         return PAPERS.get(self.id[0], "both leagues")
 
 
+def claim(id: str, section: str, statement: str, method: str, *criteria: Criterion, **fields: Any) -> Claim:
+    """Return a claim with these criteria; `fields`: the others of `Claim`, of which `measure` is needed."""
+    return Claim(id, section, statement, method, criteria, **fields)
+
+
 def join_batches(batches: Sequence[Samples]) -> Samples:
     """Concatenate the sample arrays of several batches, name by name."""
     return {name: np.concatenate([batch[name] for batch in batches]) for name in batches[0]}

@@ -12,14 +12,13 @@ import numpy as np
 
 from soccer_env.baselines.sacks_2001.memory import DRIBBLE
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
-from soccer_env.leagues.league import League
 from soccer_env.match import Match
 from soccer_env.match.arguments import Senses
 from soccer_env.match.staging import memory_of
 from soccer_env.scenes import Scene, find_scene, judging
 from soccer_env.teams import make_team
 from soccer_env.train.papers.claim import Batch
-from soccer_env.train.papers.staging import LEGGED, begin_scene, make_matches, put, put_ball, stage, wrap_angle
+from soccer_env.train.papers.staging import LEGGED, begin_scene, make_matches, put, put_ball, wrap_angle
 from soccer_env.train.papers.verdicts import Samples
 from soccer_env.types import HOME
 
@@ -47,15 +46,6 @@ class DribbleRecord:
     def step(self) -> np.ndarray:
         """Return the distance [m] that the robot moves in each control step."""
         return np.hypot(np.diff(self.x, axis=0, prepend=self.x[:1]), np.diff(self.y, axis=0, prepend=self.y[:1]))
-
-
-def set_up_dribblers(
-    batch: Batch, league: League, matches: int, others: int, settings: dict[str, Any], **more: Any
-) -> Match:
-    """Set up matches in which sacks-2001 with `settings` plays robot 0, and `others` opponents stand still."""
-    team = make_team("sacks-2001", **settings)
-    sides = {"home": team, "away": more.pop("away_team", "still")}
-    return stage(batch, league, matches=matches, away=others, controllers=sides, keeper=0, **more)
 
 
 def place_with_ball(match: Match, x: Any = START, y: Any = 0.0, heading: Any = 0.0) -> None:
@@ -105,11 +95,8 @@ def losses(way: DribbleRecord) -> Samples:
     A ball is lost when it was between the paws of a dribbling robot and is then LOST away; the robot can lose it again
     once it has it back.
     """
-    matches = way.x.shape[1]
-    metres = np.zeros(matches)
-    lost = np.zeros(matches)
-    kept_until = np.full(matches, np.inf)
-    holding = np.zeros(matches, bool)
+    metres, lost = np.zeros((2, way.x.shape[1]))
+    kept_until, holding = np.full(len(lost), np.inf), np.zeros(len(lost), bool)
     for has, dribbles, gap, step in zip(way.has_ball, way.dribbles, way.gap, way.step, strict=True):
         holding |= has & dribbles
         metres += np.where(holding & dribbles, step, 0.0)
@@ -153,51 +140,37 @@ def start_drill(
     return match
 
 
-def gap_to_others(match: Match) -> np.ndarray:
-    """Return the distance (M,) [m] from robot 0 to the nearest other robot, between the middles of their bodies."""
-    robot, others = match.robots[:, :1], match.robots[:, 1:]
-    return np.asarray(np.hypot(others["x"] - robot["x"], others["y"] - robot["y"]).min(axis=1))
-
-
-@dataclass
 class Contacts:
-    """Record of the dribbler's contacts in the runs of a drill, and of their effects; arrays (M, ...)."""
+    """Record of the dribbler's contacts in the runs of a drill, and of their effects."""
 
-    step: int  # [control steps] of a gait step
-    headings: np.ndarray  # [rad] of the others at the start: only the dribbler turns by itself
-    trail: list[tuple[np.ndarray, ...]]  # x, y [m] of robot 0 and whether it touches, over the last gait step
-    touched: np.ndarray  # bool: it touched somebody
-    hindered: np.ndarray  # bool: a contact stopped it for a gait step, or turned another
+    def __init__(self, match: Match) -> None:
+        self.headings = match.robots["heading"][:, 1:].copy()  # [rad] at the start: only the dribbler turns by itself
+        self.trail: list[tuple[np.ndarray, ...]] = []  # x, y [m] of robot 0 and whether it touches, over a gait step
+        # whether it touched somebody, and whether a contact stopped it for a gait step, or turned another
+        self.touched, self.hindered = np.zeros((2, match.count), bool)
 
     def note(self, match: Match, running: np.ndarray) -> None:
         """Update the record after a control step, for the runs that still go on."""
-        robot, others = match.robots[:, 0], match.robots[:, 1:]
+        robot, others, gait = match.robots[:, 0], match.robots[:, 1:], int(match.league.drive.gait_steps)
         touches = match.robot_events["collision"][:, 0] == 1
         self.touched |= running & touches
-        self.trail = [*self.trail[-self.step :], (robot["x"].copy(), robot["y"].copy(), touches)]
+        self.trail = [*self.trail[-gait:], (robot["x"].copy(), robot["y"].copy(), touches)]
         x, y, _ = self.trail[0]
         touching = np.array([touch for _, _, touch in self.trail]).any(axis=0)
-        full = len(self.trail) > self.step
+        full = len(self.trail) > gait
         made = np.hypot(robot["x"] - x, robot["y"] - y) if full else np.inf
         turned = np.abs(wrap_angle(others["heading"] - self.headings)).max(axis=1) > TURNED
         self.hindered |= running & touching & (turned | (made < HELD * STEP))
 
 
-def contacts_of(match: Match) -> Contacts:
-    """Return an empty record of contacts."""
-    none = np.zeros((2, match.count), bool)
-    return Contacts(int(match.league.drive.gait_steps), match.robots["heading"][:, 1:].copy(), [], *none)
-
-
-@dataclass
 class RunEnds:
     """How the runs of a drill end; arrays (M,)."""
 
-    past: np.ndarray  # bool: beyond everybody with the ball, or in the goal
-    lost: np.ndarray  # bool: the ball was far for a while
-    away: np.ndarray  # [s] for which it has been far
-    seconds: np.ndarray  # [s] until the end
-    nearest: np.ndarray  # [m] least distance between the middles of bodies
+    def __init__(self, match: Match) -> None:
+        # beyond everybody with the ball or in the goal; the ball was far for a while
+        self.past, self.lost = np.zeros((2, match.count), bool)
+        self.away, self.seconds = np.zeros((2, match.count))  # [s] for which the ball has been far, and until the end
+        self.nearest = np.full(match.count, np.inf)  # [m] least distance between the middles of bodies
 
     def note(self, match: Match, running: np.ndarray) -> None:
         """Update the ends after a control step, for the runs that still go on."""
@@ -208,7 +181,9 @@ class RunEnds:
         self.away = np.where(near, 0.0, self.away + match.league.dt)
         self.lost |= running & ~self.past & (self.away > judging.LOST_TIME)
         self.seconds += running * match.league.dt
-        self.nearest = np.where(running, np.minimum(self.nearest, gap_to_others(match)), self.nearest)
+        others = match.robots[:, 1:]
+        gap = np.hypot(others["x"] - robot["x"][:, None], others["y"] - robot["y"][:, None]).min(axis=1)
+        self.nearest = np.where(running, np.minimum(self.nearest, gap), self.nearest)
 
 
 def play_drill(
@@ -221,9 +196,7 @@ def play_drill(
     without a touch; "touched": touch before the end; "free": past, and no contact stopped it or turned another robot.
     """
     match = start_drill(batch, scene, NO_SHOTS | settings, matches, mover, senses)
-    (past, lost), (away, seconds) = np.zeros((2, matches), bool), np.zeros((2, matches))
-    ends = RunEnds(past, lost, away, seconds, nearest=np.full(matches, np.inf))
-    contacts = contacts_of(match)
+    ends, contacts = RunEnds(match), Contacts(match)
     for _ in range(round(LONGEST * match.league.control_rate)):
         running = ~(ends.past | ends.lost)
         if not running.any():
@@ -232,8 +205,7 @@ def play_drill(
         contacts.note(match, running)
         ends.note(match, running)
     match.close()
-    samples = {
-        "past": ends.past, "clean": ends.past & ~contacts.touched, "free": ends.past & ~contacts.hindered,
-        "touched": contacts.touched, "lost": ends.lost, "seconds": ends.seconds, "nearest": ends.nearest,
-    }  # fmt: skip
+    clean, free = ends.past & ~contacts.touched, ends.past & ~contacts.hindered
+    samples = {name: getattr(ends, name) for name in ("past", "lost", "seconds", "nearest")}
+    samples |= {"clean": clean, "free": free, "touched": contacts.touched}
     return {name: values.astype(float) for name, values in samples.items()}

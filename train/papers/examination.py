@@ -11,20 +11,10 @@ open, it ends at a third of the cap, where three seeds together have as many sam
 from collections.abc import Callable
 from typing import NamedTuple
 
+from soccer_env.train.papers import verdicts
 from soccer_env.train.papers.claim import LEAGUE, Batch, Claim, as_plain, join_batches, none_or_float
 from soccer_env.train.papers.results import FROM_CLAIM, ClaimResult, as_record
 from soccer_env.train.papers.settings import ReproduceSettings, command_of
-from soccer_env.train.papers.verdicts import (
-    BY_CONSTRUCTION,
-    CONTEXT,
-    REPRODUCED,
-    UNDECIDED,
-    Finding,
-    Samples,
-    combine,
-    deciding_finding,
-    judge_criterion,
-)
 from soccer_env.train.statistics import CONFIDENCE
 
 ENOUGH = 1.0 / 3.0  # of the cap, after which the verdict of all seeds together suffices
@@ -40,9 +30,9 @@ def examine(
     """
     looks = examination_points(cap, claim.least)
     confidence = 1.0 - (1.0 - CONFIDENCE) / len(looks)
-    taken: list[list[Samples]] = [[] for _ in settings.seeds]
-    findings: list[Finding] = []
-    alone: list[list[Finding]] = []
+    taken: list[list[verdicts.Samples]] = [[] for _ in settings.seeds]
+    findings: list[verdicts.Finding] = []
+    alone: list[list[verdicts.Finding]] = []
     for index in range(cap):
         for batches, seed in zip(taken, settings.seeds, strict=True):
             batches.append(claim.measure(batch_of(claim, settings, seed, index)))
@@ -54,7 +44,7 @@ def examine(
                 break
     count = len(taken[0])
     advance((cap - count) * claim.seconds * len(taken))
-    without: list[Finding] = []
+    without: list[verdicts.Finding] = []
     if claim.without is not None:
         indices = ((seed, index) for seed in settings.seeds for index in range(count))
         off = [claim.without.measure(batch_of(claim, settings, *where)) for where in indices]
@@ -63,11 +53,11 @@ def examine(
     return result_of(claim, settings, join_all_samples(taken), found, settings_hash)
 
 
-def is_decided(findings: list[Finding], alone: list[list[Finding]], share: float) -> bool:
+def is_decided(findings: list[verdicts.Finding], alone: list[list[verdicts.Finding]], share: float) -> bool:
     """Tell whether all seeds decide a claim, and each seed alone does too or the share ENOUGH of the cap is taken."""
-    if combine(findings) in (UNDECIDED, CONTEXT):
+    if verdicts.combine(findings) in (verdicts.UNDECIDED, verdicts.CONTEXT):
         return False
-    return share >= ENOUGH or all(combine(found) != UNDECIDED for found in alone)
+    return share >= ENOUGH or all(verdicts.combine(found) != verdicts.UNDECIDED for found in alone)
 
 
 def batch_of(claim: Claim, settings: ReproduceSettings, seed: int, index: int) -> Batch:
@@ -80,13 +70,13 @@ def rules_of(claim: Claim, settings: ReproduceSettings) -> tuple[str, ...]:
     return tuple(settings.rules if rules == LEAGUE else rules for rules in claim.rules)
 
 
-def judge_criteria(claim: Claim, samples: Samples, confidence: float) -> list[Finding]:
+def judge_criteria(claim: Claim, samples: verdicts.Samples, confidence: float) -> list[verdicts.Finding]:
     """Compare samples with each criterion of a claim and return the findings."""
     count = sum(criterion.decides for criterion in claim.criteria)
-    return [judge_criterion(criterion, samples, confidence, count) for criterion in claim.criteria]
+    return [verdicts.judge_criterion(criterion, samples, confidence, count) for criterion in claim.criteria]
 
 
-def join_all_samples(taken: list[list[Samples]]) -> Samples:
+def join_all_samples(taken: list[list[verdicts.Samples]]) -> verdicts.Samples:
     """Concatenate the samples of all seeds and batches."""
     return join_batches([batch for batches in taken for batch in batches])
 
@@ -99,19 +89,19 @@ def examination_points(cap: int, least: int = 1) -> list[int]:
 class ClaimFindings(NamedTuple):
     """The findings about the criteria of a claim, and the share of the cap."""
 
-    findings: list[Finding]  # of the samples of all seeds
-    without: list[Finding]  # of all seeds without the ingredient
-    alone: list[list[Finding]]  # of each seed's samples alone
+    findings: list[verdicts.Finding]  # of the samples of all seeds
+    without: list[verdicts.Finding]  # of all seeds without the ingredient
+    alone: list[list[verdicts.Finding]]  # of each seed's samples alone
     share: float  # cap over batches taken
 
 
 def result_of(
-    claim: Claim, settings: ReproduceSettings, samples: Samples, found: ClaimFindings, settings_hash: str
+    claim: Claim, settings: ReproduceSettings, samples: verdicts.Samples, found: ClaimFindings, settings_hash: str
 ) -> ClaimResult:
     """Return the result of a claim from its samples and findings."""
-    verdict, main = combine(found.findings), deciding_finding(found.findings)
-    if claim.without is not None and verdict == REPRODUCED:
-        verdict = BY_CONSTRUCTION
+    verdict, main = verdicts.combine(found.findings), verdicts.deciding_finding(found.findings)
+    if claim.without is not None and verdict == verdicts.REPRODUCED:
+        verdict = verdicts.BY_CONSTRUCTION
     units = len(next(iter(samples.values()))) if samples else 0
     note = claim.note if isinstance(claim.note, str) else claim.note(samples)
     return ClaimResult(
@@ -128,7 +118,7 @@ def result_of(
         n_used=main.n if main else units,
         cap=round(units * found.share),
         seeds=list(settings.seeds),
-        by_seed=[combine(findings) for findings in found.alone],
+        by_seed=[verdicts.combine(findings) for findings in found.alone],
         command=command_of(settings, claim.id),
         ingredients=list(claim.ingredients),
         note=note,

@@ -11,11 +11,17 @@ from typing import Any
 import numpy as np
 
 from soccer_env.train.papers.claim import Curve, Figure
-from soccer_env.train.papers.values import bin_masks, middles_of
+from soccer_env.train.papers.values import bin_masks, mean, middles_of
 from soccer_env.train.papers.verdicts import Samples, Statistic
 
 Drawing = Callable[[Samples], Sequence[Figure]]
 Places = Sequence[float] | np.ndarray
+Values = str | Callable[[Samples], np.ndarray]  # the name of samples, or a function of all of them
+
+
+def take(samples: Samples, values: Values) -> np.ndarray:
+    """Return the samples with a name, or what a function makes of all samples."""
+    return samples[values] if isinstance(values, str) else values(samples)
 
 
 def plots(*drawings: Drawing) -> Drawing:
@@ -39,30 +45,36 @@ def plot(
 
 
 def plot_bins(
-    title: str, x_label: str, y_label: str, names: Mapping[str, str], place: str | Callable[[Samples], np.ndarray],
+    title: str, x_label: str, y_label: str, lines: Mapping[str, Values], place: Values,
     edges: Places, of: Statistic, scale: float = 100.0, place_scale: float = 100.0, **more: Any,
 ) -> Drawing:  # fmt: skip
-    """Return a drawing with a curve for each of `names` (sample: title): its statistic in each bin of `place`, scaled.
-
-    place: the name of a sample, or a function of the samples.
-    """
+    """Return a drawing with a curve for each of `lines`: a statistic of its samples in each bin of `place`, scaled."""
 
     def draw(samples: Samples) -> Sequence[Figure]:
-        inside = bin_masks(samples[place] if isinstance(place, str) else place(samples), edges)
+        inside = bin_masks(take(samples, place), edges)
         curves = tuple(
-            Curve(text, middles_of(edges, place_scale), [scale * of(samples[name][there]) for there in inside])
-            for name, text in names.items()
+            Curve(name, middles_of(edges, place_scale), [scale * of(take(samples, line)[there]) for there in inside])
+            for name, line in lines.items()
         )
         return [Figure(title, x_label, y_label, curves, **more)]
 
     return draw
 
 
-def plot_done(title: str, y_label: str, grid: np.ndarray, names: Mapping[str, str]) -> Drawing:
-    """Return a drawing of the shares [%] of known times, in samples `names` (sample: title), that are over by then."""
+def columns(values: Values, of: Statistic = mean, scale: float = 100.0) -> Callable[[Samples], list[float]]:
+    """Return a function of samples that gives the statistic of each column (last axis) of `values`, scaled."""
+    return lambda samples: [scale * of(column) for column in np.moveaxis(take(samples, values), -1, 0)]
 
-    def share(samples: Samples, name: str, time: float) -> float:
-        times = samples[name][~np.isnan(samples[name])]
-        return 100.0 * float((times <= time).mean())
 
-    return plot(title, "time [s]", y_label, grid, {text: each(grid, share, name) for name, text in names.items()})
+def plot_shares(
+    title: str, x_label: str, y_label: str, grid: Places, lines: Mapping[str, Values],
+    holds: Callable[[np.ndarray, float], np.ndarray] = np.less_equal, place_scale: float = 1.0, **more: Any,
+) -> Drawing:  # fmt: skip
+    """Return a drawing of the shares [%] of known values that are at most x (or `holds`), for each of `lines`."""
+
+    def share(samples: Samples, line: Values, x: float) -> float:
+        values = take(samples, line)
+        return 100.0 * mean(holds(values[~np.isnan(values)], x))
+
+    drawn = {name: each(grid, share, line) for name, line in lines.items()}
+    return plot(title, x_label, y_label, [place_scale * x for x in grid], drawn, **more)

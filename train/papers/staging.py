@@ -14,7 +14,7 @@ The field is empty until `put` brings robots on; the referee calls only goals an
 All matches of claims are made here (`make_matches`), which refuses rules that the claim does not state.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 import numpy as np
@@ -26,6 +26,7 @@ from soccer_env.match.staging import begin_scene as begin_scene
 from soccer_env.match.staging import put as put
 from soccer_env.match.staging import put_ball as put_ball
 from soccer_env.scenes import find_scene
+from soccer_env.teams import make_team
 from soccer_env.train.papers.claim import Batch
 from soccer_env.types import Phase
 
@@ -53,6 +54,15 @@ def stage(
     set_phase(match, Phase.PLAY)
     send_off(match, range(home + away))
     return match
+
+
+def stage_team(
+    batch: Batch, team: str, settings: dict[str, Any], league: str | League = LEGGED, opponents: str | None = "still",
+    **more: Any,
+) -> Match:  # fmt: skip
+    """Return matches of `stage` whose home is a team with `settings`; `opponents`: the other team, None: by actions."""
+    sides = {"home": make_team(team, **settings)} | ({} if opponents is None else {"away": opponents})
+    return stage(batch, league, controllers=sides, **more)
 
 
 def stage_ball(
@@ -101,10 +111,25 @@ def play(match: Match, seconds: float, actions: np.ndarray | None = None) -> Ite
         yield step
 
 
-def stacked(match: Match, rows: dict[str, list[np.ndarray]]) -> dict[str, np.ndarray]:
-    """Close the matches; return the values (M,) of each frame, by name, as arrays (M, T)."""
+def watch(
+    match: Match, seconds: float, actions: np.ndarray | None = None, settle: float = 0.0,
+    steer: Callable[[int], None] = lambda step: None,
+) -> Iterator[int]:  # fmt: skip
+    """Play for `settle` [s], in which heads and filters settle, and for `seconds`; yield the steps after `settle`.
+
+    `steer` is called after each step.
+    """
+    for step in play(match, settle + seconds, actions):
+        steer(step)
+        if step >= settle * match.league.control_rate:
+            yield step
+
+
+def record(match: Match, steps: Iterable[Any], read: Callable[[], dict[str, np.ndarray]]) -> dict[str, np.ndarray]:
+    """Read values (M,) after each of the steps and close the matches; return the values by name as arrays (M, T)."""
+    frames = [read() for _ in steps]
     match.close()
-    return {name: np.stack(values, axis=1) for name, values in rows.items()}
+    return {name: np.stack([frame[name] for frame in frames], axis=1) for name in frames[0]}
 
 
 def still_actions(match: Match) -> np.ndarray:
@@ -136,10 +161,3 @@ def distance_to_point(match: Match, r: int, x: Any, y: Any) -> tuple[np.ndarray,
 def wrap_angle(angle: np.ndarray) -> np.ndarray:
     """Wrap angles [rad] to [-pi, pi)."""
     return (angle + np.pi) % (2.0 * np.pi) - np.pi
-
-
-def watch(match: Match, seconds: float, actions: np.ndarray | None = None, settle: float = 0.0) -> Iterable[int]:
-    """Play for `settle` seconds, in which heads and filters settle, then yield the steps of `play` for `seconds`."""
-    for _ in play(match, settle, actions):
-        pass
-    return play(match, seconds, actions)

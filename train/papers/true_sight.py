@@ -8,7 +8,7 @@ import numpy as np
 from soccer_env.match import Match
 from soccer_env.match.staging import sensors_of
 from soccer_env.optics.head_camera import share_of_tilt
-from soccer_env.train.papers.staging import distance_to_point, play, still_actions
+from soccer_env.train.papers.staging import distance_to_point, play, still_actions, watch
 
 
 def camera_of(match: Match, r: int = 0) -> tuple[np.ndarray, np.ndarray]:
@@ -66,13 +66,16 @@ def turn_head(match: Match, actions: np.ndarray, r: int, pan: Any, tilt: Any) ->
     actions[:, r, 6] = np.clip(share_of_tilt(tilt, head.tilt_low, head.tilt_high), -1.0, 1.0)
 
 
+def range_from_camera(match: Match, r: int = 0) -> np.ndarray:
+    """Return the ball's distance along the ground from robot r's camera (M,) [m]."""
+    camera, _ = camera_of(match, r)
+    return np.asarray(np.hypot(match.balls["x"] - camera[:, 0], match.balls["y"] - camera[:, 1]))
+
+
 def stare_for(match: Match, settle: float, seconds: float) -> Iterator[int]:
     """Let robot 0 stand and stare at the true ball; yield each step of `seconds`, after `settle` [s] before them."""
     actions = still_actions(match)
-    for step in play(match, settle + seconds, actions):
-        stare_at_ball(match, actions)
-        if step >= settle * match.league.control_rate:
-            yield step
+    return watch(match, seconds, actions, settle, lambda step: stare_at_ball(match, actions))
 
 
 def look_first(match: Match, seconds: float, r: int = 0) -> None:

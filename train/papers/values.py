@@ -69,6 +69,11 @@ def least_rise(values: Any) -> float:
     return float(np.min(np.diff(np.asarray(values, float))))
 
 
+def least_fall(values: Any) -> float:
+    """Return the smallest fall from one value of a sequence to the next: above 0 if all values fall."""
+    return least_rise(-np.asarray(values, float))
+
+
 def bin_masks(place: np.ndarray, edges: Sequence[float] | np.ndarray) -> list[np.ndarray]:
     """Return for each bin a mask of the values of `place` in it: lower edge <= value < upper edge."""
     return [(place >= low) & (place < high) for low, high in zip(edges, edges[1:], strict=False)]
@@ -79,8 +84,13 @@ def middles_of(edges: Sequence[float] | np.ndarray, scale: float = 1.0) -> list[
     return [0.5 * scale * float(low + high) for low, high in zip(edges, edges[1:], strict=False)]
 
 
+def row_means(values: np.ndarray) -> np.ndarray:
+    """Return the means of the finite values along the last axis, NaN without any."""
+    there = np.isfinite(values)
+    total, count = np.where(there, values, 0.0).sum(axis=-1), there.sum(axis=-1)
+    return np.where(count > 0, total / np.maximum(count, 1), np.nan)
+
+
 def subtract_row_mean(values: np.ndarray) -> np.ndarray:
     """Return values (M, T) minus the mean of the finite values in each row."""
-    there = np.isfinite(values)
-    total = np.where(there, values, 0.0).sum(axis=1) / np.maximum(there.sum(axis=1), 1)
-    return np.asarray(values - total[:, None])
+    return np.asarray(values - row_means(values)[:, None])

@@ -105,10 +105,10 @@ def quantity_of(value: Value, arguments: Sequence[Any], unit: str, of: Statistic
     """Return a quantity as a function of the samples.
 
     `value`: a function of samples and `arguments`; or the name of samples in SI, whose statistic `of` is converted to
-    the unit.
+    the unit: of all of them or, with indices of the last axis as `arguments`, of some columns.
     """
     if isinstance(value, str):
-        return lambda samples: PER_SI.get(unit, 1.0) * of(samples[value])
+        return lambda samples: PER_SI.get(unit, 1.0) * of(samples[value][(..., *arguments)])
     return lambda samples: value(samples, *arguments)
 
 

@@ -15,10 +15,10 @@ from soccer_env.train.papers import staging
 from soccer_env.train.papers.claim import NO_MATCH, PLAYED, PLAYED_AND_STAGED, STAGED, Batch
 from soccer_env.train.papers.claims import all_claims
 from soccer_env.train.papers.claims.dribble import or_shoot
-from soccer_env.train.papers.claims.stuck import branches
+from soccer_env.train.papers.claims.stuck import sampled
 from soccer_env.train.papers.claims.stuck.branches import FREE_TIME, Fate, follow_moments
 from soccer_env.train.papers.claims.stuck.collisions import count_near_ball, ended_by_referee
-from soccer_env.train.papers.claims.stuck.false_alarms import Approaches
+from soccer_env.train.papers.claims.stuck.detection import Approaches
 from soccer_env.train.papers.claims.stuck.sampled import OUT, MotionWindow, behaviours, stack_moments
 from soccer_env.train.papers.dribble_runs import PAPER, start_drill
 from soccer_env.train.papers.reproduction import reproduce
@@ -179,6 +179,6 @@ def test_the_referee_ends_a_contest_but_a_goal_does(events: dict[str, int], ends
 def test_matches_in_which_nobody_is_held_have_no_fate(monkeypatch: pytest.MonkeyPatch) -> None:
     none = stack_moments(two(), [])
     assert len(none) == 0
-    monkeypatch.setattr(branches, "sample_moments", lambda batch: none)
+    monkeypatch.setattr(sampled, "sample_moments", lambda batch: none)
     found = follow_moments(Batch("test", 99, 0), recovery=True)
     assert np.isnan(found["near"]).all() and np.isnan(found["freed"]).all()

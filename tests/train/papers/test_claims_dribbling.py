@@ -4,15 +4,13 @@ import numpy as np
 import pytest
 
 from soccer_env.baselines.sacks_2001.memory import DRIBBLE
-from soccer_env.leagues import find_league
 from soccer_env.match.staging import memory_of, set_mass
 from soccer_env.train.papers import dribble_runs
 from soccer_env.train.papers.claim import Batch
 from soccer_env.train.papers.claims import goalkeeper
-from soccer_env.train.papers.claims.dribble import classes, dribbling, past
-from soccer_env.train.papers.claims.dribble import or_shoot as dribble_or_shoot
-from soccer_env.train.papers.dribble_runs import contacts_of, play_drill
-from soccer_env.train.papers.staging import LEGGED, begin_scene, put, put_ball, stage
+from soccer_env.train.papers.claims.dribble import dribbling, or_shoot, past
+from soccer_env.train.papers.dribble_runs import Contacts, play_drill
+from soccer_env.train.papers.staging import begin_scene, put, put_ball, stage, stage_team
 
 BATCH = Batch("test", 0, 0)
 
@@ -38,7 +36,7 @@ def test_a_metre_with_the_ball_is_a_metre_kept() -> None:
 
 
 def test_a_dribbler_begins_with_its_ball_and_knows_where_it_is() -> None:
-    match = dribble_runs.set_up_dribblers(BATCH, find_league(LEGGED), 8, 1, dribble_runs.NO_SHOTS)
+    match = stage_team(BATCH, "sacks-2001", dribble_runs.NO_SHOTS, matches=8, keeper=0)
     dribble_runs.place_with_ball(match, heading=np.linspace(-0.5, 0.5, 8))
     begin_scene(match, placed=True)
     dribble_runs.start_dribbling(match)
@@ -82,7 +80,7 @@ def test_a_contact_that_stops_or_turns_somebody_is_told_from_a_touch() -> None:
     begin_scene(match, placed=True)
     set_mass(match, (1,), 1e4, 1e4)  # the one that it meets does not give way
     dribble_runs.start_dribbling(match)
-    contacts, actions = contacts_of(match), dribbling.walking_actions(match, 0.035, np.zeros(3))
+    contacts, actions = Contacts(match), dribbling.walking_actions(match, 0.035, np.zeros(3))
     actions[2] = 0.0
     for _ in range(64):
         match.step(actions)
@@ -101,7 +99,7 @@ def test_runs_of_a_drill_end_past_lost_or_open() -> None:
 
 @pytest.mark.slow
 def test_the_scene_of_the_still_player_behind_is_one_that_can_be_played() -> None:
-    found = play_drill(BATCH, classes.STILL_BEHIND, {}, 24)
+    found = play_drill(BATCH, past.STILL_BEHIND, {}, 24)
     assert (found["seconds"] > 2.0).all()
 
 
@@ -115,7 +113,7 @@ def test_shots_at_an_empty_goal_go_in_and_a_goalkeeper_saves_some(monkeypatch: p
 
 @pytest.mark.slow
 def test_without_blockers_both_strategies_score() -> None:
-    for settings in dribble_or_shoot.STRATEGIES.values():
-        goals, against, progress, ended = dribble_or_shoot.play_to_goal(BATCH, settings, None)
+    for settings in or_shoot.STRATEGIES.values():
+        goals, against, progress, ended = or_shoot.play_to_goal(BATCH, settings, None)
         assert not against.any()
         assert goals.mean() > 0.6 and progress[goals > 0].min() > 1.0 and ended[goals > 0].max() < 60.0

@@ -7,14 +7,9 @@ from soccer_env.baselines.sacks_2001.forces import goal_force, player_force, rep
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.baselines.sacks_2001.steering import limited
 from soccer_env.train.papers.claim import Batch, as_plain
-from soccer_env.train.papers.claims.field import constants as field_constants
-from soccer_env.train.papers.claims.field import forces as field_forces
-from soccer_env.train.papers.claims.field import minima as field_minima
-from soccer_env.train.papers.claims.field import movers as field_movers
-from soccer_env.train.papers.claims.field import numbers as field_numbers
-from soccer_env.train.papers.claims.field import points
+from soccer_env.train.papers.claims.field import constants, forces, minima, numbers, points
 from soccer_env.train.papers.claims.field.point_world import PointWorld, players
-from soccer_env.train.papers.claims.field.robots import RobotRuns, pad_with_nan, run_robots
+from soccer_env.train.papers.claims.field.points import RobotRuns, pad_with_nan, run_robots
 from soccer_env.train.papers.dribble_runs import DribbleRecord
 from soccer_env.train.papers.report import figure_table
 from soccer_env.train.report import draw_curves
@@ -31,10 +26,10 @@ def test_a_gap_is_as_wide_as_asked_and_square_if_asked() -> None:
 
 def test_movers_come_for_the_dribbler_or_cross_its_way() -> None:
     rng = np.random.default_rng(1)
-    makers = (field_movers.approaching_player, field_movers.players_on_both_sides, field_movers.crossing_player)
+    makers = (points.approaching_player, points.players_on_both_sides, points.crossing_player)
     comes, both, crosses = (make(rng) for make in makers)
     speed = np.hypot(comes["vx"], comes["vy"])
-    assert speed.min() >= field_movers.SPEEDS[0] and speed.max() <= field_movers.SPEEDS[1]
+    assert speed.min() >= points.SPEEDS[0] and speed.max() <= points.SPEEDS[1]
     assert (comes["vx"] < 0.0).all()
     assert (both["vx"][:, 0] == 0.0).all() and (both["y"][:, 0] * both["y"][:, 1] < 0.0).all()
     when = -crosses["y"] / crosses["vy"]
@@ -44,10 +39,10 @@ def test_movers_come_for_the_dribbler_or_cross_its_way() -> None:
 
 def test_exponents_are_matched_where_the_papers_force_is_one() -> None:
     assert pytest.approx(0.444, abs=1e-3) == points.UNIT
-    for exponent in field_forces.EXPONENTS:
+    for exponent in forces.EXPONENTS:
         force = (1.0 / points.UNIT - 1.0) / points.UNIT ** (exponent - 1)
-        assert field_forces.matched_gain(exponent) * force == pytest.approx(1.0)
-    samples = field_forces.compare_exponents(BATCH)
+        assert forces.matched_gain(exponent) * force == pytest.approx(1.0)
+    samples = forces.compare_exponents(BATCH)
     assert np.nanmin(samples["onset"]) > points.TOUCH and np.nanmax(samples["onset"]) < 1.0
 
 
@@ -60,7 +55,7 @@ def test_arrows_point_to_the_goal_where_nobody_is() -> None:
 
 
 def test_a_field_is_drawn_with_its_arrows() -> None:
-    figure = as_plain(field_forces.cosine_figures({})[0])
+    figure = as_plain(forces.cosine_figures({})[0])
     assert set(figure["arrows"]) == {"x", "y", "along_x", "along_y"}
     assert draw_curves(figure)[:4] == b"\x89PNG" and draw_curves(figure) == draw_curves(figure)
     assert figure_table(figure) == "Forces with the cosine factor: a picture of the field, which needs matplotlib"
@@ -86,8 +81,8 @@ def test_what_became_of_robots_is_counted_until_they_have_passed() -> None:
 
 def test_planning_is_weighed_by_one_decision_in_eight_frames() -> None:
     samples = {"time": np.full(10, 2.0), "frame": np.full(10, 10.0)}
-    assert field_numbers.planning_time_share(samples) == pytest.approx(2.5)
-    assert field_numbers.planning_time_share(samples, 80.0) == pytest.approx(200.0)
+    assert numbers.planning_time_share(samples) == pytest.approx(2.5)
+    assert numbers.planning_time_share(samples, 80.0) == pytest.approx(200.0)
 
 
 def test_a_force_without_cut_off_is_matched_where_the_papers_is_one() -> None:
@@ -110,19 +105,19 @@ def test_robots_play_the_scenes_that_points_play() -> None:
 def test_the_least_value_that_suffices_is_near_the_best() -> None:
     samples = {}
     for kind, found in (("standing", (0.2, 0.93, 1.0, 1.0, 1.0, 1.0)), ("moving", (0.0, 0.0, 0.2, 0.5, 0.58, 0.6))):
-        for axis, values in field_constants.AXES.items():
+        for axis, values in constants.AXES.items():
             for value, one in zip(values, found, strict=True):
                 samples[f"points {kind} {axis} {value:g}"] = np.array([one])
-    assert field_constants.least_sufficient_value(samples, "points", "standing", "k2") == pytest.approx(0.2, rel=0.15)
-    assert field_constants.least_sufficient_value(samples, "points", "moving", "k2") == pytest.approx(0.8, rel=0.4)
-    assert field_constants.moving_over_standing_value(samples, "points", "x0") > 1.0
+    assert constants.least_sufficient_value(samples, "points", "standing", "k2") == pytest.approx(0.2, rel=0.15)
+    assert constants.least_sufficient_value(samples, "points", "moving", "k2") == pytest.approx(0.8, rel=0.4)
+    assert constants.moving_over_standing_value(samples, "points", "x0") > 1.0
 
 
 def test_trouble_is_a_stall_or_a_retreat() -> None:
     found = {"stalls": [0, 1, 0.0], "retreats": [0, 0, 1.0]}
     samples = {f"points gap, limit off: {what}": np.array(values) for what, values in found.items()}
-    assert field_minima.has_trouble(samples, "points", "gap", "off").tolist() == [0.0, 1.0, 1.0]
-    assert field_minima.trouble_share(samples, "points", "off", ("gap",)) == pytest.approx(200.0 / 3.0)
+    assert minima.has_trouble(samples, "points", "gap", "off").tolist() == [0.0, 1.0, 1.0]
+    assert minima.trouble_share(samples, "points", "off", ("gap",)) == pytest.approx(200.0 / 3.0)
 
 
 def test_ms54_points_go_as_the_teams_own_forces_say() -> None:

@@ -5,9 +5,9 @@ import pytest
 
 from soccer_env.baselines.weigel_2001.planner import Planner
 from soccer_env.train.papers.claim import STAGED, Batch
-from soccer_env.train.papers.claims import middle_size, own_pose
+from soccer_env.train.papers.claims import middle_size
 from soccer_env.train.papers.claims.goalkeeping import passes, places, saves, shots, tracking
-from soccer_env.train.papers.claims.planning import crossings, drives, plans, runs, timing
+from soccer_env.train.papers.claims.planning import crossings, plans, runs
 from soccer_env.train.papers.staging import MIDDLE, begin_scene, play, put, stage
 
 BATCH = Batch("test", 0, 0, rules=STAGED)
@@ -18,7 +18,7 @@ def test_recovery_is_when_a_robot_is_no_longer_lost_for_a_second() -> None:
     lost[0, 2:] = False  # found after 2 frames
     lost[1, 2:5] = False  # not for long enough
     lost[2, 3:6] = lost[2, 8:] = False  # not at once for long enough
-    time = own_pose.recovery(lost, dt)
+    time = middle_size.recovery(lost, dt)
     assert time[[0, 2]] == pytest.approx([0.5, 2.0]) and np.isnan(time[[1, 3]]).all()
 
 
@@ -29,13 +29,13 @@ def test_who_is_carried_is_told_nothing_and_is_elsewhere() -> None:
     begin_scene(match)
     list(play(match, 2.0))
     before = match.beliefs["own"][:, 0].copy()
-    own_pose.carry_away(match, BATCH.rng(3))
-    assert (np.hypot(match.robots["x"][:, 0], match.robots["y"][:, 0]) > own_pose.CARRIED).all()
-    place, _ = own_pose.pose_errors(match)
+    middle_size.carry_away(match, BATCH.rng(3))
+    assert (np.hypot(match.robots["x"][:, 0], match.robots["y"][:, 0]) > middle_size.CARRIED).all()
+    place, _ = middle_size.pose_errors(match)
     assert (place > 1.5).all()
     assert (match.beliefs["own"][:, 0] == before).all()
     list(play(match, 0.02))
-    assert (own_pose.pose_errors(match)[0] > 0.5).any()  # it has not been told
+    assert (middle_size.pose_errors(match)[0] > 0.5).any()  # it has not been told
 
 
 def test_a_robot_that_stands_still_finds_out_where_it_is() -> None:
@@ -43,7 +43,7 @@ def test_a_robot_that_stands_still_finds_out_where_it_is() -> None:
     put(match, 0, np.linspace(-4.0, 4.0, 8), np.linspace(-2.0, 2.0, 8), np.linspace(-3.0, 3.0, 8))
     begin_scene(match)
     list(play(match, 3.0))
-    place, heading = own_pose.pose_errors(match)
+    place, heading = middle_size.pose_errors(match)
     assert np.median(place) < 0.15 and np.median(heading) < 0.1
 
 
@@ -52,10 +52,10 @@ def test_drivers_stay_on_the_field_and_move() -> None:
     for r in range(4):
         put(match, r, 2.0 * r - 3.0, 0.0)
     begin_scene(match)
-    drivers = own_pose.RandomDrivers(match, BATCH.rng())
+    drivers = middle_size.RandomDrivers(match, BATCH.rng())
     for step in play(match, 4.0, drivers.actions):
         drivers.steer(step)
-    assert np.hypot(match.robots["vx"], match.robots["vy"]).mean() > 0.5 * own_pose.SPEED
+    assert np.hypot(match.robots["vx"], match.robots["vy"]).mean() > 0.5 * middle_size.SPEED
     assert (np.abs(match.robots["x"]) < 6.0).all() and (np.abs(match.robots["y"]) < 4.0).all()
 
 
@@ -141,22 +141,22 @@ def test_first_heading_of_a_straight_way_is_none() -> None:
     assert plans.first_heading(runs.plan(scene), scene) == pytest.approx(0.0, abs=1e-6)
 
 
-@pytest.mark.parametrize("kind", drives.KINDS)
+@pytest.mark.parametrize("kind", runs.KINDS)
 def test_obstacles_come_to_the_way_when_the_player_would_be_there(kind: str) -> None:
-    found = drives.draw_drives(BATCH, kind)
-    assert (np.abs(found["x"]) <= 0.2 * drives.FAR + 1e-9).all(), "0.3 to 0.7 of the way"
-    assert (found["start"] < found["when"]).all() and (found["when"] < 0.7 * drives.FAR / 2.6 + 0.33 + 0.31).all()
+    found = runs.draw_drives(BATCH, kind)
+    assert (np.abs(found["x"]) <= 0.2 * runs.FAR + 1e-9).all(), "0.3 to 0.7 of the way"
+    assert (found["start"] < found["when"]).all() and (found["when"] < 0.7 * runs.FAR / 2.6 + 0.33 + 0.31).all()
     assert found["speed"].min() >= 0.5 and found["speed"].max() <= 5.0
     run = found["speed"] * (found["when"] - found["start"])
-    assert (np.abs(found["x"] - run * found["ux"]) < drives.EDGE[0] + 1e-6).all()
-    assert (np.abs(found["y"][:, None] - run * found["uy"]) < drives.EDGE[1] + 1e-6).all()
+    assert (np.abs(found["x"] - run * found["ux"]) < runs.EDGE[0] + 1e-6).all()
+    assert (np.abs(found["y"][:, None] - run * found["uy"]) < runs.EDGE[1] + 1e-6).all()
 
 
 def test_the_results_of_a_drive_are_those_of_its_way() -> None:
     along = np.concatenate([np.linspace(0.0, 1.0, 51), np.full(50, 1.0)])
     aside = np.concatenate([np.zeros(51), np.linspace(0.02, 1.0, 50)])
     way = np.stack([along, aside, np.full(101, 0.1), 3.0 - along + 0.5 * aside], axis=1)[..., None]
-    found = drives.results_of(way, 0.02)
+    found = runs.results_of(way, 0.02)
     assert found["turn"] == pytest.approx(90.0) and found["time"] == pytest.approx(2.02)
     assert found["away"] == 50.0 and found["hit"] == 0.0 and found["gap"] == pytest.approx(0.1)
 
@@ -179,7 +179,7 @@ def test_believed_velocities_are_compared_in_the_axes_of_the_field() -> None:
 
 
 def test_t_is_never_below_that_of_the_straight_line_and_without_velocities_paths_are_the_same() -> None:
-    assert timing.measure_plan_times(BATCH)["smooth ratio"].min() >= 1.0 - 1e-9
+    assert plans.measure_plan_times(BATCH)["smooth ratio"].min() >= 1.0 - 1e-9
     assert plans.plans_equal_paths(BATCH)["same"].all()
     assert not plans.plans_equal_paths(BATCH, still=False)["same"].all()
 

@@ -6,27 +6,7 @@ import pytest
 from soccer_env.match.staging import memory_settings_of
 from soccer_env.optics import head_camera as optics
 from soccer_env.train.papers.claim import Batch
-from soccer_env.train.papers.claims.players import blobs as players_blobs
-from soccer_env.train.papers.claims.players import grouping as players_grouping
-from soccer_env.train.papers.claims.players import jersey as players_jersey
-from soccer_env.train.papers.claims.players import moving as players_moving
-from soccer_env.train.papers.claims.players import views
-from soccer_env.train.papers.claims.players.seen import (
-    blob_directions,
-    blob_owners,
-    distances_from_camera,
-    gaps_to,
-    is_fresh,
-    look_at,
-    matched_distances,
-    nearest_seen,
-    places_of,
-    put_facing,
-    slot_bearings,
-    slots_of,
-    stage_watchers,
-    view_of,
-)
+from soccer_env.train.papers.claims.players import grouping, jersey, moving, views, watching
 from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, put, still_actions, wrap_angle
 from soccer_env.train.papers.true_sight import camera_of, turn_head
 
@@ -35,22 +15,22 @@ BATCH = Batch("test", 0, 0)
 
 def looking(matches: int = 6, distance: float = 0.8, **settings: object):
     """Return matches in which robot 0 has looked at an opponent, seen head-on, for a second."""
-    match = stage_watchers(BATCH, matches, **settings)
-    put_facing(match, 1, distance, np.linspace(-0.5, 0.5, matches), 0.0)
+    match = watching.stage_watchers(BATCH, matches, **settings)
+    watching.put_facing(match, 1, distance, np.linspace(-0.5, 0.5, matches), 0.0)
     begin_scene(match)
     actions = still_actions(match)
     for _ in play(match, 1.0, actions):
-        look_at(match, actions)
+        watching.look_at(match, actions)
     return match
 
 
 def test_a_player_stands_where_it_is_put_and_is_seen_as_said() -> None:
     views_asked = np.array([0.0, 1.0, -2.0, 3.0])
-    match = stage_watchers(BATCH, 4)
-    put_facing(match, 1, 0.7, 0.3, views_asked)
+    match = watching.stage_watchers(BATCH, 4)
+    watching.put_facing(match, 1, 0.7, 0.3, views_asked)
     distance, bearing = distance_to_point(match, 0, match.robots["x"][:, 1], match.robots["y"][:, 1])
     assert distance == pytest.approx(0.7) and bearing == pytest.approx(0.3)
-    assert wrap_angle(view_of(match, 1) - views_asked) == pytest.approx(0.0, abs=1e-9)
+    assert wrap_angle(watching.view_of(match, 1) - views_asked) == pytest.approx(0.0, abs=1e-9)
     facing = match.robots["heading"][:, 1] - np.arctan2(
         match.robots["y"][:, 0] - match.robots["y"][:, 1], match.robots["x"][:, 0] - match.robots["x"][:, 1]
     )
@@ -66,7 +46,7 @@ def test_a_head_that_looks_at_a_player_has_it_on_its_axis() -> None:
 
 
 def test_the_head_turns_where_it_is_asked_to() -> None:
-    match = stage_watchers(BATCH, 2)
+    match = watching.stage_watchers(BATCH, 2)
     begin_scene(match)
     actions = still_actions(match)
     turn_head(match, actions, 0, np.array([0.8, -0.8]), -0.4)
@@ -77,7 +57,7 @@ def test_the_head_turns_where_it_is_asked_to() -> None:
 
 def test_directions_of_blobs_are_those_of_optics() -> None:
     match = looking()
-    bearing, elevation = blob_directions(match)
+    bearing, elevation = watching.blob_directions(match)
     s = match.league.sensors.record()[0]
     for m in range(6):
         percept = match.percepts[m, 0]
@@ -93,69 +73,70 @@ def test_directions_of_blobs_are_those_of_optics() -> None:
 
 def test_a_player_in_view_is_found_in_a_slot() -> None:
     match = looking(matches=32)
-    slots = slots_of(match)
-    distance, bearing = nearest_seen(match)
+    slots = watching.slots_of(match)
+    distance, bearing = watching.nearest_seen(match)
     assert np.isfinite(distance).mean() > 0.8
     assert np.nanmedian(np.abs(distance - 0.8)) < 0.15
-    assert (is_fresh(match, slots).sum(axis=1) >= np.isfinite(distance)).all()
+    assert (watching.is_fresh(match, slots).sum(axis=1) >= np.isfinite(distance)).all()
     assert np.nanmax(np.abs(bearing - np.linspace(-0.5, 0.5, 32))) < 0.3
-    assert np.nanmedian(np.abs(slot_bearings(match, slots)[:, 0] - distances_from_camera(match, [1])[1][:, 0])) < 0.15
-    assert (matched_distances(gaps_to(match, slots, [1]), 0.5) < 0.5).mean() > 0.8
+    true = watching.distances_from_camera(match, [1])[1][:, 0]
+    assert np.nanmedian(np.abs(watching.slot_bearings(match, slots)[:, 0] - true)) < 0.15
+    assert (watching.matched_distances(watching.gaps_to(match, slots, [1]), 0.5) < 0.5).mean() > 0.8
 
 
 def test_places_of_players_are_in_the_robots_own_axes() -> None:
-    match = stage_watchers(BATCH, 3)
+    match = watching.stage_watchers(BATCH, 3)
     put(match, 0, 0.5, -0.2, np.pi / 2)
     put(match, 1, 0.5, 0.4, 0.0)
-    x, y = places_of(match, [1])
+    x, y = watching.places_of(match, [1])
     assert x == pytest.approx(0.6) and y == pytest.approx(0.0, abs=1e-12)
 
 
 def test_each_slot_stands_for_one_player_the_closest_pair_first() -> None:
     gaps = np.array([[[0.1, 0.2], [0.15, 0.9], [9.0, 0.3]], [[0.6, 0.7], [np.inf, np.inf], [0.8, 0.4]]])
-    assert matched_distances(gaps, 0.5) == pytest.approx(np.array([[0.1, 0.3], [np.inf, 0.4]]))
-    assert matched_distances(gaps, 0.05) == pytest.approx(np.full((2, 2), np.inf))
+    assert watching.matched_distances(gaps, 0.5) == pytest.approx(np.array([[0.1, 0.3], [np.inf, 0.4]]))
+    assert watching.matched_distances(gaps, 0.05) == pytest.approx(np.full((2, 2), np.inf))
 
 
 def test_blobs_belong_to_who_stands_there() -> None:
-    match = stage_watchers(BATCH, 4, away=2)
-    put_facing(match, 1, 0.7, 0.3, 0.0)
-    put_facing(match, 2, 1.2, -0.3, 1.0)
+    match = watching.stage_watchers(BATCH, 4, away=2)
+    watching.put_facing(match, 1, 0.7, 0.3, 0.0)
+    watching.put_facing(match, 2, 1.2, -0.3, 1.0)
     begin_scene(match)
     actions = still_actions(match)
     turn_head(match, actions, 0, 0.0, -0.1)
     list(play(match, 1.0, actions))
-    mine, (bearing, _) = blob_owners(match, [1, 2]), blob_directions(match)
+    mine, (bearing, _) = watching.blob_owners(match, [1, 2]), watching.blob_directions(match)
     assert (mine[bearing > 0.1] == 0).all() and (mine[bearing < -0.1] == 1).all()
     assert (mine[np.isnan(bearing)] == -1).all()
-    visible, filled = players_grouping.seen_and_believed(match)
+    visible, filled = grouping.seen_and_believed(match)
     assert visible.mean() > 0.8 and filled.mean() > 0.8
 
 
 def test_what_is_too_many_is_a_ghost_and_what_lacks_is_missed() -> None:
     visible = np.array([[True, True], [True, True], [True, False], [True, True]])
     filled = np.array([[1, 1], [2, 0], [1, 1], [0, 0]])
-    ghosts, missed = players_grouping.ghosts_and_misses(visible, filled)
+    ghosts, missed = grouping.ghosts_and_misses(visible, filled)
     assert ghosts.tolist() == [0, 1, 1, 0] and missed.tolist() == [0, 1, 0, 2]
 
 
 def test_two_in_view_do_not_touch() -> None:
-    match = stage_watchers(BATCH, 200, away=2)
-    players_grouping.put_two_in_view(match, BATCH.rng())
-    x, y = places_of(match, [1, 2])
-    assert np.hypot(x[:, 0] - x[:, 1], y[:, 0] - y[:, 1]).min() > players_grouping.APART
-    assert np.abs(np.arctan2(y, x)).max() <= players_grouping.WIDE
+    match = watching.stage_watchers(BATCH, 200, away=2)
+    grouping.put_two_in_view(match, BATCH.rng())
+    x, y = watching.places_of(match, [1, 2])
+    assert np.hypot(x[:, 0] - x[:, 1], y[:, 0] - y[:, 1]).min() > grouping.APART
+    assert np.abs(np.arctan2(y, x)).max() <= grouping.WIDE
 
 
 def test_the_memory_reads_the_settings_that_a_claim_changes() -> None:
     match = looking(matches=4)
     memory_settings_of(match)["ghost_time"] = 0.0
     match.step(still_actions(match))
-    assert (slots_of(match)["age"] == 0.0).all()
+    assert (watching.slots_of(match)["age"] == 0.0).all()
 
 
 def test_views_are_counted_from_head_on_and_only_within_the_picture() -> None:
-    match = stage_watchers(BATCH, 2)
+    match = watching.stage_watchers(BATCH, 2)
     put(match, 0, 0.0, 0.0, 0.0)
     put(match, 1, np.array([1.0, -1.0]), 0.0, np.array([np.pi, np.pi / 2]))
     match.robots["pan"] = 0.0
@@ -167,14 +148,14 @@ def test_views_are_counted_from_head_on_and_only_within_the_picture() -> None:
 
 
 def test_sectors_thirds_and_variations_take_what_is_there() -> None:
-    found = players_jersey.mean_by_sector(np.array([[0, 0, 3, 3]]), np.array([[1.0, 3.0, np.nan, 5.0]]))
+    found = jersey.mean_by_sector(np.array([[0, 0, 3, 3]]), np.array([[1.0, 3.0, np.nan, 5.0]]))
     assert found[0, 0] == 2.0 and found[0, 3] == 5.0 and np.isnan(found[0, 1])
     counts = np.zeros((2, views.SECTORS))
     counts[0, 0], counts[1, 5], counts[1, -1] = 5.0, 3.0, 2.0
     assert views.shares_by_third(counts) == pytest.approx([50.0, 30.0, 20.0])
     assert views.front_lead(counts) == pytest.approx(20.0)
     sizes = np.array([[[9.0, 11.0, np.nan], [10.0, 10.0, 10.0]]])
-    assert players_jersey.variation(sizes) == pytest.approx([0.1, 0.0]), "the deviation over the mean"
+    assert jersey.variation(sizes) == pytest.approx([0.1, 0.0]), "the deviation over the mean"
 
 
 def test_a_jump_is_how_much_farther_a_headless_player_seems() -> None:
@@ -183,12 +164,12 @@ def test_a_jump_is_how_much_farther_a_headless_player_seems() -> None:
         "combined with head": np.full((4, 3, 2), 1.0), "combined without head": np.full((4, 3, 2), np.nan),
     }  # fmt: skip
     samples["combined without head"][:, :, 0] = [1.7, 2.0, 2.4]
-    assert players_blobs.sticker_range_ratios(samples, "largest") == pytest.approx(1.1)
-    assert players_blobs.worst_sticker_ratio(samples, "combined") == pytest.approx(2.4)
+    assert jersey.sticker_range_ratios(samples, "largest") == pytest.approx(1.1)
+    assert jersey.worst_sticker_ratio(samples, "combined") == pytest.approx(2.4)
 
 
 def test_movers_keep_their_speed_and_those_that_stand_stay() -> None:
-    samples = players_moving.walk_off(BATCH)
-    assert samples["error"].shape == (players_moving.SCENES, len(players_moving.SPEEDS))
+    samples = moving.walk_off(BATCH)
+    assert samples["error"].shape == (moving.SCENES, len(moving.SPEEDS))
     assert np.nanmax(np.abs(samples["error"][:, 0] - samples["first"][:, 0])) < 1e-3
     assert np.nanmedian(samples["error"][:, -1]) > np.nanmedian(samples["error"][:, 1])

@@ -6,8 +6,7 @@ import pytest
 from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, ROTATE
 from soccer_env.match.staging import memory_of
 from soccer_env.train.papers.claim import Batch
-from soccer_env.train.papers.claims.stuck import collisions, false_alarms, runs, surface, worth
-from soccer_env.train.papers.claims.stuck import detection as stuck_detection
+from soccer_env.train.papers.claims.stuck import collisions, detection, runs, surface, worth
 from soccer_env.train.papers.claims.stuck.branches import count_hits, follow_moments
 from soccer_env.train.papers.claims.stuck.sampled import HELD, behaviours, branch, distance_from_camera, sample_moments
 from soccer_env.train.papers.staging import distance_to_ball, play, wrap_angle
@@ -129,15 +128,15 @@ def test_the_cause_of_a_false_alarm_is_the_first_that_holds() -> None:
     signs = [
         (0.05, 1.0, 0.0, 0.2), (0.0, 1.0, 0.0, 0.2), (0.0, 0.0, 0.5, 0.5), (-0.1, 0.0, 0.0, 0.2), (0.0, 0.1, 0.1, 0.6),
     ]  # fmt: skip
-    found = [false_alarms.CAUSES[false_alarms.cause_of(np.array(one))] for one in signs]
+    found = [detection.CAUSES[detection.cause_of(np.array(one))] for one in signs]
     assert found == ["receding", "turning", "turning", "near", "other"]
 
 
 def test_the_area_under_the_curve_is_one_for_what_is_apart_and_a_half_for_what_is_the_same() -> None:
-    assert stuck_detection.roc_area({"free": np.array([-3.0, -2.0]), "stuck": np.array([0.0, 1.0])}) == 1.0
+    assert detection.roc_area({"free": np.array([-3.0, -2.0]), "stuck": np.array([0.0, 1.0])}) == 1.0
     rng = np.random.default_rng(1)
     same = {"free": rng.normal(size=4000), "stuck": rng.normal(size=4000)}
-    assert stuck_detection.roc_area(same) == pytest.approx(0.5, abs=0.02)
+    assert detection.roc_area(same) == pytest.approx(0.5, abs=0.02)
 
 
 def settings_with(one: float, two: float, good: tuple[int, int] | None = None) -> dict[str, np.ndarray]:

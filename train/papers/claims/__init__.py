@@ -2,13 +2,14 @@
 
 To add a claim:
 
-1. Write a module in the folder of its theme (or extend one) with `S99 = Claim(...)`; other modules hold helpers of
-   their folder. `statement` is one sentence of at most 17 words: it is a row of the team's page.
+1. Write a module in the folder of its theme (or extend one) with `S99 = claim("S99", section, statement, method,
+   *criteria, measure=...)`; other modules hold helpers of their folder. `statement` is one sentence of at most 17
+   words: it is a row of the team's page.
 2. `rules` names the rule sets of its matches: STAGED (`stage`, `drill`; the default), PLAYED (`kick_off`), both, or
    NO_MATCH; a match under other rules is refused. Measurements skip robots that are sent off (`active`).
-3. `measure(batch)` stages many matches at once (`../staging.py`: stage, put, put_ball, begin, play), plays them, and
-   returns arrays whose first axis is independent units (normally the matches); NaN stands for "no value". All
-   randomness comes from `batch.seeds(n)` and `batch.rng()`. Variants use the same seeds, which pairs them.
+3. `measure(batch)` stages many matches at once (`../staging.py`: stage, put, put_ball, begin_scene, play, record),
+   plays them, and returns arrays whose first axis is independent units (normally the matches); NaN stands for "no
+   value". All randomness comes from `batch.seeds(n)` and `batch.rng()`. Variants use the same seeds, which pairs them.
 4. Criteria (`../verdicts.py`): `measured` (any quantity of the samples, bootstrap over units), `counted` (share of hits
    among trials in each unit), `exact` (arithmetic), `reported` (a number that decides nothing). All must hold. The text
    names the number in a few words; the bound is the requirement, by the words of the sentence, which `method` quotes
@@ -27,8 +28,7 @@ Measure the paper's words over the range that they name; a claim that does not h
     stuck/           detecting that a robot is stuck      dribble/         keeping the ball, past others
     field/           the potential field                  goalkeeper.py    a goalkeeper's use of ball velocities
     planning/        the planners of 2006                 goalkeeping/     goalkeeper and receiver of 2006
-    own_pose.py      a middle-size robot's own pose       middle_size.py   middle-size vision in changing light
-    resolution.py    the gain of a finer camera           sensors.py       errors of all sensors over the range
+    middle_size.py   middle-size vision and own pose      sensors.py       errors of all sensors over the range
 """
 
 from collections.abc import Iterable, Mapping

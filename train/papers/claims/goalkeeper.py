@@ -9,11 +9,10 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.teams import make_team
-from soccer_env.train.papers.claim import Batch, Claim
-from soccer_env.train.papers.claims.resolution import LAYERS
+from soccer_env.train.papers.claim import Batch, claim
+from soccer_env.train.papers.claims.ball.range import LAYERS
 from soccer_env.train.papers.plots import plot_bins
-from soccer_env.train.papers.staging import LEGGED, begin_scene, put, put_ball, stage
+from soccer_env.train.papers.staging import LEGGED, begin_scene, put, put_ball, stage_team
 from soccer_env.train.papers.values import gain, mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
@@ -34,9 +33,7 @@ def face_shots(
     batch: Batch, settings: dict[str, Any], league: str = BLOCKING, far: bool = False, **more: Any
 ) -> tuple[np.ndarray, np.ndarray]:
     """Roll shots at the goal of one goalkeeper; return which go in (M,), and the speeds at the kick [m/s]."""
-    rng = batch.rng()
-    team = make_team("sacks-2001", **settings)
-    match = stage(batch, league, matches=SHOTS, home=2, controllers={"home": team, "away": "still"}, **more)
+    rng, match = batch.rng(), stage_team(batch, "sacks-2001", settings, league, matches=SHOTS, home=2, **more)
     pitch, ball, fastest = match.league.pitch, match.league.ball, match.league.kicker.fastest
     goal = -pitch.length / 2
     away, angle = rng.uniform(NEAREST, FARTHEST, SHOTS), rng.uniform(-WIDEST, WIDEST, SHOTS)
@@ -99,27 +96,24 @@ SHOT_SCENE = (
     f"1.5 m/s; the goalkeeper stands up to {100 * ASIDE:.0f} cm off the line from the ball to its goal."
 )
 
-S67 = Claim(
-    id="S67", section="3.2, 5",
-    statement="The ball's angular velocity helps the goalkeeper to decide how to block.",
-    method=f"{SHOT_SCENE} The goalkeeper can spread its forelegs ({BLOCKING}) and does it for a ball that will pass "
+S67 = claim(
+    "S67", "3.2, 5", "The ball's angular velocity helps the goalkeeper to decide how to block.",
+    f"{SHOT_SCENE} The goalkeeper can spread its forelegs ({BLOCKING}) and does it for a ball that will pass "
     "within their reach, in time. Share of the same shots saved, with angular_keeper on and off.",
-    criteria=(
-        measured("saved with the angular velocity less saved without", gain, "on", "off", saved, unit="%", above=0.0),
-        reported("saved with the angular velocity", "on", of=saved, unit="%"),
-        reported("saved by the bearing alone", "off", of=saved, unit="%"),
-        reported("far off the line: with less without", gain, "far on", "far off", saved, unit="%"),
-        reported("far off the line: by the bearing alone", "far off", of=saved, unit="%"),
-        reported("far off, ideal senses: with less without", gain, "ideal on", "ideal off", saved, unit="%"),
-        reported("no block: with less without", gain, "step on", "step off", saved, unit="%"),
-        reported("no block: with the angular velocity", "step on", of=saved, unit="%"),
-        reported("no block: by the bearing alone", "step off", of=saved, unit="%"),
-        reported("no block: guarding the line, no reaction", "step guards", of=saved, unit="%"),
-    ),
+    measured("saved with the angular velocity less saved without", gain, "on", "off", saved, unit="%", above=0.0),
+    reported("saved with the angular velocity", "on", of=saved, unit="%"),
+    reported("saved by the bearing alone", "off", of=saved, unit="%"),
+    reported("far off the line: with less without", gain, "far on", "far off", saved, unit="%"),
+    reported("far off the line: by the bearing alone", "far off", of=saved, unit="%"),
+    reported("far off, ideal senses: with less without", gain, "ideal on", "ideal off", saved, unit="%"),
+    reported("no block: with less without", gain, "step on", "step off", saved, unit="%"),
+    reported("no block: with the angular velocity", "step on", of=saved, unit="%"),
+    reported("no block: by the bearing alone", "step off", of=saved, unit="%"),
+    reported("no block: guarding the line, no reaction", "step guards", of=saved, unit="%"),
     measure=compare_angular_velocity,
     figures=plot_bins("Shots saved by the goalkeeper", "speed at the kick [m/s]", "saved [%]",
-                      {"on": "with the angular velocity", "off": "by the bearing alone", "step on": "with it, no block",
-                       "step off": "by the bearing, no block", "step guards": "guards the line, no reaction"}, "speed",
+                      {"with the angular velocity": "on", "by the bearing alone": "off", "with it, no block": "step on",
+                       "by the bearing, no block": "step off", "guards the line, no reaction": "step guards"}, "speed",
                       BINS, saved, place_scale=1.0),
     least=4, batches=20, seconds=3.0,
     ingredients=("the block of legged-2001-block: CMPack'03's b_gcntr.mot, at the speed of the ERS-210's joints",
@@ -151,23 +145,20 @@ def reaction_gain(samples: Samples, layer: str) -> float:
     return gain(samples, f"on {layer}", f"off {layer}", saved)
 
 
-S71 = Claim(
-    id="S71", section="5",
-    statement="A better camera would allow goalkeeper reactions by the ball's speed.",
-    method=f"{SHOT_SCENE} It can spread its forelegs ({BLOCKING}). With keeper_speed, a setting of sacks-2001-future, "
+S71 = claim(
+    "S71", "5", "A better camera would allow goalkeeper reactions by the ball's speed.",
+    f"{SHOT_SCENE} It can spread its forelegs ({BLOCKING}). With keeper_speed, a setting of sacks-2001-future, "
     "it does so by the time in which the ball will arrive, and steps aside faster for a fast ball; without, all balls "
     "count as fast. What that gains in saves at 88x72 and at 176x144 pixels.",
-    criteria=(
-        measured("gain at 176x144 less gain at 88x72",
-                 lambda s: reaction_gain(s, LAYERS[1]) - reaction_gain(s, LAYERS[0]), unit="%", above=0.0),
-        measured("gain at 176x144", reaction_gain, LAYERS[1], unit="%", above=0.0),
-        reported("gain at 88x72", reaction_gain, LAYERS[0], unit="%"),
-        reported("saved at 88x72, one reaction", "off 88x72", of=saved, unit="%"),
-        reported("saved at 176x144, one reaction", "off 176x144", of=saved, unit="%"),
-    ),
+    measured("gain at 176x144 less gain at 88x72",
+             lambda s: reaction_gain(s, LAYERS[1]) - reaction_gain(s, LAYERS[0]), unit="%", above=0.0),
+    measured("gain at 176x144", reaction_gain, LAYERS[1], unit="%", above=0.0),
+    reported("gain at 88x72", reaction_gain, LAYERS[0], unit="%"),
+    reported("saved at 88x72, one reaction", "off 88x72", of=saved, unit="%"),
+    reported("saved at 176x144, one reaction", "off 176x144", of=saved, unit="%"),
     measure=compare_resolutions,
     figures=plot_bins("Shots saved, by resolution", "speed at the kick [m/s]", "saved [%]",
-                      {f"{name} {layer}": f"{layer}, {text}" for layer in LAYERS
+                      {f"{layer}, {text}": f"{name} {layer}" for layer in LAYERS
                        for name, text in (("on", "by speed"), ("off", "one reaction"))}, "speed", BINS, saved,
                       place_scale=1.0),
     least=4, batches=30, seconds=2.0,

@@ -6,7 +6,7 @@ from functools import partial
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import Batch, Claim
+from soccer_env.train.papers.claim import Batch, claim
 from soccer_env.train.papers.claims.ball.velocity import true_radial
 from soccer_env.train.papers.plots import plot
 from soccer_env.train.papers.staging import begin_scene, distance_to_ball, play, put, put_ball, stage, still_actions
@@ -147,25 +147,21 @@ def long_gap_error_ratio(samples: Samples, name: str) -> float:
     return error_in_bins(samples, name, BINS.index(LIMIT), len(BINS)) / error_in_bins(samples, name, 0, 1)
 
 
-S19 = Claim(
-    id="S19", section="3.2",
-    statement="A velocity over 1.5 s without sight is likely to be wrong.",
-    method=f"{MATCHES} robots a batch look for {SECONDS:g} s at a ball that is kicked about in a circle of "
+S19 = claim(
+    "S19", "3.2", "A velocity over 1.5 s without sight is likely to be wrong.",
+    f"{MATCHES} robots a batch look for {SECONDS:g} s at a ball that is kicked about in a circle of "
     f"{100 * ROOM:.0f} cm while they walk to it and back, {100 * NEAREST:.0f} to {100 * FARTHEST:.0f} cm from it; now "
     f"and then they see nothing for up to {LONGEST:g} s. Error of each radial velocity that is read, by the gap in "
     "sight before it, with the rule and without. Beside it the same in play, where a robot follows at 50 cm a ball "
     "that three chasers have, and which mostly creeps.",
-    criteria=(
-        measured("without the rule: error after long gaps over that without", long_gap_error_ratio, "kicked off",
-                 above=1.0),
-        measured("with the rule: error after long gaps over that without", long_gap_error_ratio, "kicked on",
-                 at_most=1.25),
-        reported("without the rule, least rise from bin to bin of the gap",
-                 lambda samples: least_rise(error_by_gap(samples, "kicked off")), unit="cm/s"),
-        reported("without the rule, no gap", lambda samples: error_by_gap(samples, "kicked off")[0], unit="cm/s"),
-        reported("in play, without the rule: the first ratio", long_gap_error_ratio, "play off"),
-        reported("in play, with the rule: the second ratio", long_gap_error_ratio, "play on"),
-    ),
+    measured("without the rule: error after long gaps over that without", long_gap_error_ratio, "kicked off",
+             above=1.0),
+    measured("with the rule: error after long gaps over that without", long_gap_error_ratio, "kicked on", at_most=1.25),
+    reported("without the rule, least rise from bin to bin of the gap",
+             lambda samples: least_rise(error_by_gap(samples, "kicked off")), unit="cm/s"),
+    reported("without the rule, no gap", lambda samples: error_by_gap(samples, "kicked off")[0], unit="cm/s"),
+    reported("in play, without the rule: the first ratio", long_gap_error_ratio, "play off"),
+    reported("in play, with the rule: the second ratio", long_gap_error_ratio, "play on"),
     measure=compare_velocity_gate,
     figures=plot("Radial velocity after a gap in sight", "gap [s]", "rms error [cm/s]", GAPS,
                  {title: partial(error_by_gap, name=name)

@@ -5,17 +5,9 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import Ablation, Batch, Claim
+from soccer_env.train.papers.claim import Ablation, Batch, claim
 from soccer_env.train.papers.plots import plot
-from soccer_env.train.papers.staging import (
-    distance_to_ball,
-    play,
-    put_ball,
-    stacked,
-    stage_ball,
-    still_actions,
-    wrap_angle,
-)
+from soccer_env.train.papers.staging import distance_to_ball, play, put_ball, stage_ball, still_actions, wrap_angle
 from soccer_env.train.papers.true_sight import blind_cameras, look_first, stare_at_ball
 from soccer_env.train.papers.values import bin_masks, least_rise, median, middles_of, ratio
 from soccer_env.train.papers.verdicts import Samples, measured, reported
@@ -33,13 +25,21 @@ POCKET = 0.147  # [m] a ball at the chest: body.front and its radius
 DRIBBLE, PUSHED = 0.07, 5.0  # [m/s] 3.5 cm per half-second step, [s]: S14
 
 
-def ball_place_error(match: Match) -> np.ndarray:
-    """Return the distance between the believed and the true ball (M,) [m]."""
-    true, bearing = distance_to_ball(match)
-    ball = match.beliefs["ball"][:, 0]
+def ball_errors(match: Match) -> Samples:
+    """Return the errors of the believed ball (M,): of its place and range [m], and of its bearing [degrees]."""
+    (true, bearing), ball = distance_to_ball(match), match.beliefs["ball"][:, 0]
     x = ball["distance"] * np.cos(ball["bearing"]) - true * np.cos(bearing)
     y = ball["distance"] * np.sin(ball["bearing"]) - true * np.sin(bearing)
-    return np.asarray(np.hypot(x, y))
+    off = np.degrees(np.abs(wrap_angle(ball["bearing"] - bearing)))
+    return {"place": np.hypot(x, y), "range": np.abs(ball["distance"] - true), "bearing": off}
+
+
+def errors_after(match: Match, seconds: float, actions: np.ndarray) -> Samples:
+    """Play for `seconds` and close the matches; return the errors of the believed ball at the end."""
+    for _ in play(match, seconds, actions):
+        pass
+    match.close()
+    return ball_errors(match)
 
 
 def look_at_ball(batch: Batch, **memory: Any) -> Match:
@@ -56,26 +56,11 @@ def walk_blind(batch: Batch, odometry: str) -> Samples:
     """Walk 1 m blind, on an arc of up to 90 degrees away from the ball; return errors of the remembered ball (M,)."""
     match = look_at_ball(batch, odometry=odometry)
     blind_cameras(match)
-    seconds = WAY / SPEED
-    actions = still_actions(match)
+    seconds, actions = WAY / SPEED, still_actions(match)
     away = -np.sign(distance_to_ball(match)[1])
     actions[:, 0, 0] = 1.0
     actions[:, 0, 2] = away * batch.rng(1).uniform(0.0, 0.5 * np.pi, MATCHES) / seconds / TURN
-    for _ in play(match, seconds, actions):
-        pass
-    true, bearing = distance_to_ball(match)
-    ball = match.beliefs["ball"][:, 0]
-    off = np.abs(wrap_angle(ball["bearing"] - bearing))
-    samples = {"place": ball_place_error(match), "range": np.abs(ball["distance"] - true), "bearing": np.degrees(off)}
-    match.close()
-    return samples
-
-
-def compare_updates(batch: Batch) -> Samples:
-    """Return the errors of `walk_blind` for each odometry variant of the ball memory."""
-    return {
-        f"{name} {odometry}": values for odometry in VARIANTS for name, values in walk_blind(batch, odometry).items()
-    }
+    return errors_after(match, seconds, actions)
 
 
 def roll_balls(batch: Batch, seen: bool) -> Samples:
@@ -90,16 +75,15 @@ def roll_balls(batch: Batch, seen: bool) -> Samples:
     put_ball(match, x, y, speed * np.cos(course), speed * np.sin(course))
     actions = still_actions(match)
     actions[:, 0, 0] = 1.0
-    rows: dict[str, list[np.ndarray]] = {"way": [], "error": []}
-    before = 0.0
-    for time in TIMES:
+    ways, errors = [], []
+    for before, time in zip((0.0, *TIMES), TIMES, strict=False):
         for _ in play(match, time - before, actions):
             if seen:
                 stare_at_ball(match, actions)
-        before = time
-        rows["way"].append(np.hypot(match.balls["x"] - x, match.balls["y"] - y))
-        rows["error"].append(ball_place_error(match))
-    return stacked(match, rows)
+        ways.append(np.hypot(match.balls["x"] - x, match.balls["y"] - y))
+        errors.append(ball_errors(match)["place"])
+    match.close()
+    return {"way": np.stack(ways, axis=1), "error": np.stack(errors, axis=1)}
 
 
 def error_by_roll_distance(samples: Samples) -> list[float]:
@@ -111,17 +95,12 @@ def dribble_unseen_ball(batch: Batch, update: bool, turn: float) -> np.ndarray:
     """Dribble an unseen ball with turn action `turn` in [-1, 1]; return the error of its remembered place (M,) [m]."""
     rng = batch.rng()
     pose = rng.uniform(-0.9, -0.7, MATCHES), rng.uniform(-0.3, 0.3, MATCHES), rng.uniform(-0.3, 0.3, MATCHES)
-    memory = {"odometry_while_dribbling": update}
-    match = stage_ball(batch, *pose, np.full(MATCHES, POCKET), 0.0, memory=memory)
+    match = stage_ball(batch, *pose, np.full(MATCHES, POCKET), 0.0, memory={"odometry_while_dribbling": update})
     look_first(match, SEEN)
     blind_cameras(match)
     actions = still_actions(match)
     actions[:, 0, 0], actions[:, 0, 2] = DRIBBLE / SPEED, turn
-    for _ in play(match, PUSHED, actions):
-        pass
-    error = ball_place_error(match)
-    match.close()
-    return error
+    return errors_after(match, PUSHED, actions)["place"]
 
 
 def compare_dribbling(batch: Batch, turn: float = 0.0) -> Samples:
@@ -129,32 +108,29 @@ def compare_dribbling(batch: Batch, turn: float = 0.0) -> Samples:
     return {"off": dribble_unseen_ball(batch, False, turn), "on": dribble_unseen_ball(batch, True, turn)}
 
 
-S12 = Claim(
-    id="S12", section="3.1.1",
-    statement="Full odometry, not rotation alone, keeps the remembered ball accurate while the robot moves.",
-    method=f"{MATCHES} robots a batch see a still ball 50 to 90 cm away for {SEEN:g} s, then see it no more and walk "
+S12 = claim(
+    "S12", "3.1.1", "Full odometry, not rotation alone, keeps the remembered ball accurate while the robot moves.",
+    f"{MATCHES} robots a batch see a still ball 50 to 90 cm away for {SEEN:g} s, then see it no more and walk "
     f"{WAY:g} m on an arc of 0 to 90 degrees; error of the believed place at the end, same seeds for each memory.",
-    criteria=(
-        measured("full update: median error of the place", "place full", of=median, unit="cm", at_most=15.0),
-        measured("full update: median error of the bearing", "bearing full", of=median, unit="deg", at_most=10.0),
-        measured("rotation only: error over that of the full update", ratio, "place rotation", "place full", median,
-                 at_least=3.0),
-        reported("no update: median error of the place", "place none", of=median, unit="cm"),
-        reported("rotation only: the same", "place rotation", of=median, unit="cm"),
-    ),
-    measure=compare_updates, seconds=1.5,
+    measured("full update: median error of the place", "place full", of=median, unit="cm", at_most=15.0),
+    measured("full update: median error of the bearing", "bearing full", of=median, unit="deg", at_most=10.0),
+    measured("rotation only: error over that of the full update", ratio, "place rotation", "place full", median,
+             at_least=3.0),
+    reported("no update: median error of the place", "place none", of=median, unit="cm"),
+    reported("rotation only: the same", "place rotation", of=median, unit="cm"),
+
+    measure=lambda batch: {f"{name} {variant}": errors for variant in VARIANTS
+                           for name, errors in walk_blind(batch, variant).items()},
+    seconds=1.5,
     ingredients=("sensors.odometry_noise", "drive.slip", "memory.odometry"),
 )  # fmt: skip
 
-S13 = Claim(
-    id="S13", section="3.1.1",
-    statement="The remembered ball stays accurate only if the ball itself does not move.",
-    method=f"As S12, but the unseen ball rolls off at 0 to {FASTEST:g} m/s in any direction; error after "
+S13 = claim(
+    "S13", "3.1.1", "The remembered ball stays accurate only if the ball itself does not move.",
+    f"As S12, but the unseen ball rolls off at 0 to {FASTEST:g} m/s in any direction; error after "
     f"{', '.join(f'{time:g}' for time in TIMES)} s against the way that the ball has made.",
-    criteria=(
-        measured("least rise of the median error with the ball's way",
-                 lambda samples: least_rise(error_by_roll_distance(samples)), unit="cm", above=0.0),
-    ),
+    measured("least rise of the median error with the ball's way",
+             lambda samples: least_rise(error_by_roll_distance(samples)), unit="cm", above=0.0),
     measure=lambda batch: roll_balls(batch, seen=False),
     figures=plot("Memory of a ball that moved unseen", "way of the ball [cm]", "error of the place [cm]",
                  middles_of(BINS, 100), {"median": error_by_roll_distance}),
@@ -164,16 +140,13 @@ S13 = Claim(
     ingredients=("memory.odometry = full",),
 )  # fmt: skip
 
-S14 = Claim(
-    id="S14", section="footnote 2",
-    statement="The ball's relative position need not be updated while the robot dribbles it.",
-    method=f"{MATCHES} robots a batch push a ball that they no longer see for {PUSHED:g} s at {100 * DRIBBLE:.0f} "
+S14 = claim(
+    "S14", "footnote 2", "The ball's relative position need not be updated while the robot dribbles it.",
+    f"{MATCHES} robots a batch push a ball that they no longer see for {PUSHED:g} s at {100 * DRIBBLE:.0f} "
     "cm/s; error of the believed place at the end with the update and without, same seeds, lost balls included.",
-    criteria=(
-        measured("median error without the update over that with it", ratio, "off", "on", median, at_most=0.5),
-        reported("without the update", "off", of=median, unit="cm"),
-        reported("with the update", "on", of=median, unit="cm"),
-    ),
+    measured("median error without the update over that with it", ratio, "off", "on", median, at_most=0.5),
+    reported("without the update", "off", of=median, unit="cm"),
+    reported("with the update", "on", of=median, unit="cm"),
     measure=compare_dribbling, seconds=0.8,
     without=Ablation(f"a ball that stays between the paws: here they turn at {TURN:g} rad/s, and most balls are lost",
                      lambda batch: compare_dribbling(batch, turn=1.0)),

@@ -11,23 +11,12 @@ import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import Ablation, Batch, Claim
+from soccer_env.train.papers import staging
+from soccer_env.train.papers.claim import Ablation, Batch, claim
 from soccer_env.train.papers.claims.ball.range import OLD
 from soccer_env.train.papers.plots import plot_bins
-from soccer_env.train.papers.staging import (
-    LEGGED,
-    begin_scene,
-    distance_to_ball,
-    play,
-    point_ahead,
-    put,
-    put_ball,
-    stacked,
-    stage,
-    still_actions,
-    wrap_angle,
-)
-from soccer_env.train.papers.true_sight import ball_angle, ball_in_sight, camera_of, stare_at_ball
+from soccer_env.train.papers.staging import LEGGED
+from soccer_env.train.papers.true_sight import ball_angle, ball_in_sight, look_first, range_from_camera, stare_at_ball
 from soccer_env.train.papers.values import known, least_rise, median, ratio
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
@@ -84,23 +73,23 @@ def hides_part_of_ball(ball: np.ndarray, place: np.ndarray, heading: float) -> b
     turn = np.array([[np.cos(heading), np.sin(heading)], [-np.sin(heading), np.cos(heading)]])
     camera = CAMERA_AHEAD * ball / np.linalg.norm(ball)
     trunk, away = place + TRUNK @ turn - camera, ball - camera
-    angles = wrap_angle(np.arctan2(trunk[:, 1], trunk[:, 0]) - np.arctan2(away[1], away[0]))
+    angles = staging.wrap_angle(np.arctan2(trunk[:, 1], trunk[:, 0]) - np.arctan2(away[1], away[0]))
     half = np.arcsin(find_league(LEGGED).ball.radius / np.linalg.norm(away))
     return bool(angles.min() < half and angles.max() > -half and np.ptp(angles) < np.pi)
 
 
 def set_up(batch: Batch, scene: Scene, others: bool, **settings: Any) -> Match:
     """Set up matches with the observing robot and the ball of a scene, with or without the scene's other robots."""
-    match = stage(batch, matches=MATCHES, away=2, actions="full", **settings)
-    put(match, 0, START, 0.0, 0.0)
-    put_ball(match, *point_ahead(match, 0, scene["distance"], scene["bearing"]))
+    match = staging.stage(batch, matches=MATCHES, away=2, actions="full", **settings)
+    staging.put(match, 0, START, 0.0, 0.0)
+    staging.put_ball(match, *staging.point_ahead(match, 0, scene["distance"], scene["bearing"]))
     for other in range(2):
         there = np.isfinite(scene["others"][:, other, 0]) & others
         row = match.robots[:, 1 + other]
         for axis, (name, shift) in enumerate((("x", START), ("y", 0.0), ("heading", 0.0))):
             row[name] = np.where(there, scene["others"][:, other, axis] + shift, row[name])
         row["active"] = there
-    begin_scene(match)
+    staging.begin_scene(match)
     return match
 
 
@@ -109,9 +98,7 @@ def visible_shares(batch: Batch, scene: Scene) -> tuple[np.ndarray, np.ndarray, 
     sizes = []
     for others in (False, True):
         match = set_up(batch, scene, others, sensors=PLAIN | FINE)
-        actions = still_actions(match)
-        for _ in play(match, SETTLE, actions):
-            stare_at_ball(match, actions)
+        look_first(match, SETTLE)
         blob = match.percepts["ball"][:, 0, 0]
         width, height = blob["left"] - blob["right"], blob["high"] - blob["low"]
         sizes.append(np.stack([width, height, blob["area"]]).astype(float))
@@ -128,25 +115,24 @@ def watch_scene(batch: Batch, scene: Scene, others: bool, staring: bool, memory:
     camera's axis meets the ball; "short": the infrared ranger reads less than the ball's distance by WELL_BEFORE.
     """
     match = set_up(batch, scene, others, sensors=PLAIN, memory=memory)
-    actions, dt = still_actions(match), match.league.dt
-    rows: dict[str, list[np.ndarray]] = {"error": [], "believed": [], "range": [], "centred": [], "short": []}
-    for step in play(match, SETTLE + SECONDS, actions):
+    actions, dt = staging.still_actions(match), match.league.dt
+
+    def steer(step: int) -> None:
         actions[:, 0, 4] = -1.0
         if staring or (step + 1) * dt <= LOOK:
             stare_at_ball(match, actions)
-        if (step + 1) * dt <= SETTLE:
-            continue
+
+    def read() -> Samples:
         ball, infrared = match.beliefs["ball"][:, 0], match.percepts["infrared"][:, 0]
-        camera, _ = camera_of(match)
-        distance, angle = ball_in_sight(match)
-        ground = np.hypot(match.balls["x"] - camera[:, 0], match.balls["y"] - camera[:, 1])
-        seen = ball["age"] < 0.5 * dt
-        rows["error"].append(np.where(seen, (ball["distance"] - distance_to_ball(match)[0]) / ground, np.nan))
-        rows["believed"].append(np.where(seen, ball["distance"], np.nan))
-        rows["range"].append(ground)
-        rows["centred"].append(seen & (angle < ball_angle(match, distance)))
-        rows["short"].append((infrared > 0.0) & (infrared < distance - WELL_BEFORE))
-    return stacked(match, rows)
+        (distance, angle), ground, seen = ball_in_sight(match), range_from_camera(match), ball["age"] < 0.5 * dt
+        return {
+            "error": np.where(seen, (ball["distance"] - staging.distance_to_ball(match)[0]) / ground, np.nan),
+            "believed": np.where(seen, ball["distance"], np.nan), "range": ground,
+            "centred": seen & (angle < ball_angle(match, distance)),
+            "short": (infrared > 0.0) & (infrared < distance - WELL_BEFORE),
+        }  # fmt: skip
+
+    return staging.record(match, staging.watch(match, SECONDS, actions, SETTLE, steer), read)
 
 
 def compare_dimensions(batch: Batch, **memory: Any) -> Samples:
@@ -178,45 +164,32 @@ def bias_of_hidden_balls(samples: Samples, dimensions: int, size: str = "closer"
 
 
 hidden_figure = plot_bins(
-    "Range of a ball that is partly hidden",
-    "hidden share of the ball's picture [%]",
-    "median range error [%]",
-    {"width": "by width", "height": "by height", "closer": "the closer of both"},
-    lambda s: 1.0 - s["area left"],
-    np.linspace(0.0, 1.0, 9),
-    median,
-)
-
-
+    "Range of a ball that is partly hidden", "hidden share of the ball's picture [%]", "median range error [%]",
+    {"by width": "width", "by height": "height", "the closer of both": "closer"}, lambda s: 1.0 - s["area left"],
+    np.linspace(0.0, 1.0, 9), median,
+)  # fmt: skip
 SCENES = f"{MATCHES} scenes a batch with one or two robots at random before a ball 30 to 60 cm from the camera"
 
-S07 = Claim(
-    id="S07", section="3.1.1",
-    statement="A partially obstructed ball seems farther away.",
-    method=f"{SCENES}; median error of range by width and by height alone, in bins of the hidden share of the picture "
+S07 = claim(
+    "S07", "3.1.1", "A partially obstructed ball seems farther away.",
+    f"{SCENES}; median error of range by width and by height alone, in bins of the hidden share of the picture "
     f"({', '.join(f'{100 * edge:.0f}' for edge in HIDDEN)} % and more).",
-    criteria=(
-        measured("least rise of the median error from bin to bin", lambda samples: least_rise(bias_by_share(samples)),
-                 unit="%", above=0.0),
-        measured("median error once 5 % are hidden", lambda samples: bias_by_share(samples)[1], unit="%", above=0.0),
-    ),
+    measured("least rise of the median error from bin to bin", lambda samples: least_rise(bias_by_share(samples)),
+             unit="%", above=0.0),
+    measured("median error once 5 % are hidden", lambda samples: bias_by_share(samples)[1], unit="%", above=0.0),
     measure=compare_dimensions, figures=hidden_figure,
     without=Ablation("ranges read from the blob's size, and a smaller blob reads farther: with the ranger's reading "
                      "instead", lambda batch: compare_dimensions(batch, ball_range="infrared")),
     ingredients=("bodies that hide what lies behind them, perception/legged/picture.py", "where the others stand"),
 )  # fmt: skip
 
-S08 = Claim(
-    id="S08", section="3.1.1",
-    statement="The closer of height and width estimates guards against obstruction, unless in both dimensions.",
-    method=f"{SCENES}; a dimension counts as cut if less than {100 * CUT:.0f} % of it is left.",
-    criteria=(
-        measured("cut in one dimension: median error", lambda s: abs(bias_of_hidden_balls(s, 1)), unit="%",
-                 at_most=10.0),
-        measured("cut in both: median error", bias_of_hidden_balls, 2, unit="%", at_least=30.0),
-        reported("not cut: median error", bias_of_hidden_balls, 0, unit="%"),
-        reported("cut in one dimension, by width alone: median error", bias_of_hidden_balls, 1, "width", unit="%"),
-    ),
+S08 = claim(
+    "S08", "3.1.1", "The closer of height and width estimates guards against obstruction, unless in both dimensions.",
+    f"{SCENES}; a dimension counts as cut if less than {100 * CUT:.0f} % of it is left.",
+    measured("cut in one dimension: median error", lambda s: abs(bias_of_hidden_balls(s, 1)), unit="%", at_most=10.0),
+    measured("cut in both: median error", bias_of_hidden_balls, 2, unit="%", at_least=30.0),
+    reported("not cut: median error", bias_of_hidden_balls, 0, unit="%"),
+    reported("cut in one dimension, by width alone: median error", bias_of_hidden_balls, 1, "width", unit="%"),
     measure=compare_dimensions, figures=hidden_figure,
     ingredients=("bodies that hide what lies behind them, perception/legged/picture.py", "where the others stand"),
 )  # fmt: skip
@@ -251,23 +224,20 @@ def compare_infrared_rule(batch: Batch) -> Samples:
     return samples
 
 
-S09 = Claim(
-    id="S09", section="3.1.1",
-    statement="Infrared, where below 2/3 of the range by size, repairs obstruction in both dimensions.",
-    method=f"{SCENES}, robots tracking what they see; balls of which less than 2/3 is left in both dimensions (of "
+S09 = claim(
+    "S09", "3.1.1", "Infrared, where below 2/3 of the range by size, repairs obstruction in both dimensions.",
+    f"{SCENES}, robots tracking what they see; balls of which less than 2/3 is left in both dimensions (of "
     "others the size says less than 3/2 of the range, and the rule has no business), up to 60 cm away, in frames in "
     "which the camera's axis meets the ball; and the same balls unobstructed, at the centre, for false triggers.",
-    criteria=(
-        measured("mean error with the rule over that without", ratio, "on", "off", at_most=0.5),
-        counted("unobstructed frames in which the rule changes the range", "triggers", "judged", at_most=2.0),
-        reported("the first ratio in all frames of these balls", ratio, "all on", "all off"),
-        reported(f"the first ratio of balls of which less than {100 * CUT:.0f} % is left in both", ratio, "mild on",
-                 "mild off"),
-        reported("mean error without the rule", "off", unit="cm"),
-        reported("the same in all frames of these balls", "all off", unit="cm"),
-        reported("frames in which the ranger reads something more than 10 cm before the ball", "short off", unit="%"),
-        reported("frames of hidden balls that count", lambda samples: float(len(known(samples["off"])))),
-    ),
+    measured("mean error with the rule over that without", ratio, "on", "off", at_most=0.5),
+    counted("unobstructed frames in which the rule changes the range", "triggers", "judged", at_most=2.0),
+    reported("the first ratio in all frames of these balls", ratio, "all on", "all off"),
+    reported(f"the first ratio of balls of which less than {100 * CUT:.0f} % is left in both", ratio, "mild on",
+             "mild off"),
+    reported("mean error without the rule", "off", unit="cm"),
+    reported("the same in all frames of these balls", "all off", unit="cm"),
+    reported("frames in which the ranger reads something more than 10 cm before the ball", "short off", unit="%"),
+    reported("frames of hidden balls that count", lambda samples: float(len(known(samples["off"])))),
     measure=compare_infrared_rule, least=4,
     ingredients=("sensors.infrared_pointing, infrared_growth", "memory.centred", "belief/legged/head.py"),
 )  # fmt: skip

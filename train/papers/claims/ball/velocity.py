@@ -8,23 +8,13 @@ import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import Ablation, Batch, Claim
+from soccer_env.train.papers import staging
+from soccer_env.train.papers.claim import Ablation, Batch, claim
 from soccer_env.train.papers.claims.ball.range import CAMERA_AHEAD
 from soccer_env.train.papers.plots import plot
-from soccer_env.train.papers.staging import (
-    LEGGED,
-    begin_scene,
-    distance_to_ball,
-    play,
-    put,
-    put_ball,
-    stacked,
-    stage,
-    stage_ball,
-    still_actions,
-)
-from soccer_env.train.papers.true_sight import camera_of, stare_at_ball, stare_for
-from soccer_env.train.papers.values import least_rise, ratio, rms
+from soccer_env.train.papers.staging import LEGGED
+from soccer_env.train.papers.true_sight import range_from_camera, stare_at_ball, stare_for
+from soccer_env.train.papers.values import least_fall, ratio, rms
 from soccer_env.train.papers.verdicts import Samples, counted, exact, measured, reported
 
 MATCHES = 96
@@ -58,56 +48,46 @@ def walk_to_ball(
 
     "radial": believed, "rate": true [m/s]. Stuck robots step and count odometry, but stay: no traction. Pace 0: stand.
     """
-    count = len(start)
-    rng = batch.rng()
-    league = find_league(LEGGED)
+    rng, count, league = batch.rng(), len(start), find_league(LEGGED)
     if stuck:
         league = replace(league, drive=replace(league.drive, traction=1e-9, thrust=1e-9))
     pose = rng.uniform(-0.9, -0.7, count), rng.uniform(-0.5, 0.5, count), 0.0
     forward = 0.0 if stuck else pace * TOP_SPEED
-    match = stage_ball(batch, *pose, CAMERA_AHEAD + start, 0.0, forward=forward, league=league, **settings)
-    actions = still_actions(match)
+    match = staging.stage_ball(batch, *pose, CAMERA_AHEAD + start, 0.0, forward=forward, league=league, **settings)
+    actions = staging.still_actions(match)
     actions[:, 0, 0] = pace
-    rows: dict[str, list[np.ndarray]] = {"radial": [], "rate": [], "range": []}
-    for step in play(match, SETTLE + seconds, actions):
+
+    def steer(step: int) -> None:
         actions[:, 0, 4] = -1.0
         if (step + 1) * match.league.dt <= LOOK:
             stare_at_ball(match, actions)
-        if (step + 1) * match.league.dt <= SETTLE:
-            continue
-        camera, _ = camera_of(match)
-        rows["radial"].append(match.beliefs["ball"]["radial"][:, 0].copy())
-        rows["rate"].append(true_radial(match))
-        rows["range"].append(np.hypot(match.balls["x"] - camera[:, 0], match.balls["y"] - camera[:, 1]))
-    return stacked(match, rows)
+
+    return staging.record(match, staging.watch(match, seconds, actions, SETTLE, steer),
+                  lambda: {"radial": match.beliefs["ball"]["radial"][:, 0].copy(), "rate": true_radial(match),
+                           "range": range_from_camera(match)})  # fmt: skip
 
 
 def sweep_intervals(batch: Batch) -> Samples:
     """Return errors (M, T) [m/s] of the radial velocity for each reading interval, of walking and standing robots."""
     rng = batch.rng(1)
-    starts = {"walking": rng.uniform(SHORT, LONG, MATCHES), "standing": rng.uniform(SHORT - WALK, LONG - WALK, MATCHES)}
+    walking, standing = (rng.uniform(SHORT - less, LONG - less, MATCHES) for less in (0.0, WALK))
+    raw = {"radial_from": "raw"}
     samples = {}
-    for name, start in starts.items():
-        pace = 1.0 if name == "walking" else 0.0
-        for interval in INTERVALS:
-            memory: dict[str, Any] = {"velocity_interval": interval}
-            seen = walk_to_ball(batch, start, 1.5, stuck=False, pace=pace, memory=memory)
+    for name, start, pace, memory, intervals in (
+        ("walking", walking, 1.0, {}, INTERVALS),
+        ("standing", standing, 0.0, {}, INTERVALS),
+        ("raw", walking, 1.0, raw, INTERVALS[1:3]),
+    ):
+        for interval in intervals:
+            settings: dict[str, Any] = {"velocity_interval": interval, **memory}
+            seen = walk_to_ball(batch, start, 1.5, stuck=False, pace=pace, memory=settings)
             samples[f"{name} {interval}"] = seen["radial"] - seen["rate"]
-    for interval in INTERVALS[1:3]:
-        memory = {"velocity_interval": interval, "radial_from": "raw"}
-        seen = walk_to_ball(batch, starts["walking"], 1.5, stuck=False, memory=memory)
-        samples[f"raw {interval}"] = seen["radial"] - seen["rate"]
     return samples
 
 
 def interval_errors(samples: Samples, how: str) -> list[float]:
     """Return the rms error [cm/s] of the radial velocity for each interval; `how`: "walking" or "standing"."""
     return [100 * rms(samples[f"{how} {interval}"]) for interval in INTERVALS]
-
-
-def least_error_decrease(samples: Samples, how: str) -> float:
-    """Return the smallest decrease [cm/s] of the error from one interval to the next longer interval."""
-    return least_rise([-error for error in interval_errors(samples, how)])
 
 
 def interval_error_ratio(samples: Samples, how: str, one: int, other: int = 2) -> float:
@@ -128,8 +108,7 @@ def count_misjudged_readings(batch: Batch, **settings: Any) -> Samples:
 
 def mean_readings(batch: Batch) -> Samples:
     """Return means of the first 1 to 9 readings (M, 9) [m/s], of robots walking in from 60 cm and of stuck robots."""
-    dt = find_league(LEGGED).dt
-    seconds = READINGS * READING
+    dt, seconds = find_league(LEGGED).dt, READINGS * READING
     times = SETTLE + dt * np.arange(1, round(seconds / dt) + 1)
     period = np.floor(times / READING + 1e-6)
     last = np.flatnonzero(np.diff(period, append=period[-1] + 1))[:READINGS]  # the last frame of each reading
@@ -142,25 +121,22 @@ def mean_readings(batch: Batch) -> Samples:
     return {**means, "wrong": wrong, "wrong at last": wrong[:, -1], "judged": np.full(MATCHES, 2.0)}
 
 
-S18 = Claim(
-    id="S18", section="3.2",
-    statement="Velocities read more often than every 1/3 s show sensor errors more than movement.",
-    method=f"{MATCHES} robots a batch walk at {100 * TOP_SPEED:.0f} cm/s to a still ball 90 to 40 cm from the camera, "
+S18 = claim(
+    "S18", "3.2", "Velocities read more often than every 1/3 s show sensor errors more than movement.",
+    f"{MATCHES} robots a batch walk at {100 * TOP_SPEED:.0f} cm/s to a still ball 90 to 40 cm from the camera, "
     "and as many stand so far from one; error of the believed radial velocity (filtered positions) for four intervals "
     f"between readings ({', '.join(f'{interval:g}' for interval in INTERVALS)} s), same seeds.",
-    criteria=(
-        measured("walking: least fall of the rms error from interval to interval", least_error_decrease, "walking",
-                 unit="cm/s", above=0.0),
-        measured("standing: the same", least_error_decrease, "standing", unit="cm/s", above=0.0),
-        reported("walking: rms error at 0.17 s over that at 0.33 s", interval_error_ratio, "walking", 1),
-        reported("walking: rms error at 0.08 s over that at 0.33 s", interval_error_ratio, "walking", 0),
-        reported("walking: rms error at 0.67 s over that at 0.33 s", interval_error_ratio, "walking", 3),
-        reported("standing: rms error at 0.17 s over that at 0.33 s", interval_error_ratio, "standing", 1),
-        reported("walking, by raw positions: 0.17 s over 0.33 s", ratio, "raw 0.17", "raw 0.33", rms),
-        reported("walking: rms error at 0.17 s, against a real movement of 12 cm/s",
-                 lambda samples: interval_errors(samples, "walking")[1], unit="cm/s"),
-        reported("walking: the same at 0.33 s", lambda samples: interval_errors(samples, "walking")[2], unit="cm/s"),
-    ),
+    measured("walking: least fall of the rms error from interval to interval",
+             lambda s: least_fall(interval_errors(s, "walking")), unit="cm/s", above=0.0),
+    measured("standing: the same", lambda s: least_fall(interval_errors(s, "standing")), unit="cm/s", above=0.0),
+    reported("walking: rms error at 0.17 s over that at 0.33 s", interval_error_ratio, "walking", 1),
+    reported("walking: rms error at 0.08 s over that at 0.33 s", interval_error_ratio, "walking", 0),
+    reported("walking: rms error at 0.67 s over that at 0.33 s", interval_error_ratio, "walking", 3),
+    reported("standing: rms error at 0.17 s over that at 0.33 s", interval_error_ratio, "standing", 1),
+    reported("walking, by raw positions: 0.17 s over 0.33 s", ratio, "raw 0.17", "raw 0.33", rms),
+    reported("walking: rms error at 0.17 s, against a real movement of 12 cm/s",
+             lambda samples: interval_errors(samples, "walking")[1], unit="cm/s"),
+    reported("walking: the same at 0.33 s", lambda samples: interval_errors(samples, "walking")[2], unit="cm/s"),
     measure=sweep_intervals,
     figures=plot("Error of the radial velocity", "interval between readings [s]", "rms error [cm/s]", INTERVALS,
                  {how: partial(interval_errors, how=how) for how in ("walking", "standing")}, rules=(100 * TOP_SPEED,)),
@@ -170,31 +146,25 @@ S18 = Claim(
     "part of their error.",
 )  # fmt: skip
 
-S20 = Claim(
-    id="S20", section="3.3",
-    statement="Readings 1/3 s apart that differ by 5 cm exceed the top speed of 12 cm/s.",
-    method=f"Arithmetic; and {MATCHES} robots a batch that walk to the ball, as many that are stuck, both with the "
+S20 = claim(
+    "S20", "3.3", "Readings 1/3 s apart that differ by 5 cm exceed the top speed of 12 cm/s.",
+    f"Arithmetic; and {MATCHES} robots a batch that walk to the ball, as many that are stuck, both with the "
     f"ball {100 * (PLACE - AROUND):.0f} to {100 * (PLACE + AROUND):.0f} cm from the camera: a single reading is wrong "
     "if it lies on the wrong side of half the top speed.",
-    criteria=(
-        exact("5 cm in 1/3 s over the top speed", lambda samples: PIXEL_JUMP / READING / TOP_SPEED, above=1.0),
-        counted("single readings at 60 cm that misjudge", "wrong", "judged", at_least=10.0),
-    ),
+    exact("5 cm in 1/3 s over the top speed", lambda samples: PIXEL_JUMP / READING / TOP_SPEED, above=1.0),
+    counted("single readings at 60 cm that misjudge", "wrong", "judged", at_least=10.0),
     measure=count_misjudged_readings, batches=32, seconds=0.8,
     without=Ablation("sensors.dither = 0: blobs without flicker",
                      lambda b: count_misjudged_readings(b, sensors={"dither": 0.0})),
     ingredients=("the identity 5 cm / (1/3 s) = 15 cm/s", "sensors.dither"),
 )  # fmt: skip
 
-S21 = Claim(
-    id="S21", section="3.3",
-    statement="Averaged over several readings the velocity tells accurately enough whether a robot is stuck.",
-    method=f"{MATCHES} robots a batch walk in from {100 * PLACE:.0f} cm, as many are stuck {100 * NEAREST:.0f} to "
+S21 = claim(
+    "S21", "3.3", "Averaged over several readings the velocity tells accurately enough whether a robot is stuck.",
+    f"{MATCHES} robots a batch walk in from {100 * PLACE:.0f} cm, as many are stuck {100 * NEAREST:.0f} to "
     f"{100 * PLACE:.0f} cm from the ball, counted from the camera; the mean of the first 1 to {READINGS} readings "
     "against half the top speed.",
-    criteria=(
-        counted(f"wrong after {READINGS} readings", "wrong at last", "judged", at_most=5.0),
-    ),
+    counted(f"wrong after {READINGS} readings", "wrong at last", "judged", at_most=5.0),
     measure=mean_readings,
     figures=plot("Judging whether a robot is stuck", "readings averaged", "judged wrongly [%]", range(1, READINGS + 1),
                  {"stuck or walking, from 60 cm on": lambda s: list(50.0 * s["wrong"].mean(axis=0))}, rules=(5.0,)),
@@ -209,34 +179,31 @@ def compare_bearings(batch: Batch) -> Samples:
     Both are differences over READING; the truth is the rate at the later of the two bearings.
     """
     rng = batch.rng()
-    match = stage(batch, matches=MATCHES, actions="full", sensors={"patches": 0.0})
+    match = staging.stage(batch, matches=MATCHES, actions="full", sensors={"patches": 0.0})
     side = rng.choice([-1.0, 1.0], MATCHES)
-    put(match, 0, -0.8, 0.0)
-    put_ball(match, rng.uniform(-0.2, 0.2, MATCHES), -0.5 * side, 0.0, side * rng.uniform(*ACROSS, MATCHES))
-    begin_scene(match, placed=True)
-    rows: dict[str, list[np.ndarray]] = {"true": [], "raw": [], "filtered": []}
-    for _ in stare_for(match, LOOK, PASSES):
+    staging.put(match, 0, -0.8, 0.0)
+    staging.put_ball(match, rng.uniform(-0.2, 0.2, MATCHES), -0.5 * side, 0.0, side * rng.uniform(*ACROSS, MATCHES))
+    staging.begin_scene(match, placed=True)
+
+    def read() -> Samples:
         ball = match.beliefs["ball"][:, 0]
-        for name, bearing in (("true", distance_to_ball(match)[1]), ("raw", ball["bearing"]),
-                              ("filtered", ball["filtered_bearing"])):  # fmt: skip
-            rows[name].append(np.degrees(bearing))
-    bearings, rate = stacked(match, rows), match.league.control_rate
+        true, raw, filtered = staging.distance_to_ball(match)[1], ball["bearing"], ball["filtered_bearing"]
+        return {"true": np.degrees(true), "raw": np.degrees(raw), "filtered": np.degrees(filtered)}
+
+    bearings, rate = staging.record(match, stare_for(match, LOOK, PASSES), read), match.league.control_rate
     back = round(READING * rate)
     now = np.diff(bearings["true"], axis=1)[:, back - 1 :] * rate
-    return {name: (bearings[name][:, back:] - bearings[name][:, :-back]) * rate / back - now for name in rows}
+    return {name: (one[:, back:] - one[:, :-back]) * rate / back - now for name, one in bearings.items()}
 
 
-S73 = Claim(
-    id="S73", section="3.2, footnote 4",
-    statement="Unfiltered data gives a more current angular velocity than filtered data.",
-    method=f"{MATCHES} robots a batch stare at a ball that rolls past at {100 * ACROSS[0]:.0f} to "
+S73 = claim(
+    "S73", "3.2, footnote 4", "Unfiltered data gives a more current angular velocity than filtered data.",
+    f"{MATCHES} robots a batch stare at a ball that rolls past at {100 * ACROSS[0]:.0f} to "
     f"{100 * ACROSS[1]:.0f} cm/s, about 80 cm away: difference of bearings over 1/3 s against the present rate. The "
     "filter's delay follows from its length, so nothing is judged.",
-    criteria=(
-        reported("error, raw bearings", "raw", of=rms, unit="deg/s"),
-        reported("error, filtered bearings", "filtered", of=rms, unit="deg/s"),
-        reported("error of true bearings: the delay of 1/3 s alone", "true", of=rms, unit="deg/s"),
-    ),
+    reported("error, raw bearings", "raw", of=rms, unit="deg/s"),
+    reported("error, filtered bearings", "filtered", of=rms, unit="deg/s"),
+    reported("error of true bearings: the delay of 1/3 s alone", "true", of=rms, unit="deg/s"),
     measure=compare_bearings, batches=2, seconds=1.0,
     ingredients=("memory.filter_length",),
 )  # fmt: skip

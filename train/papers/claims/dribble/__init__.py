@@ -1,7 +1,5 @@
 """Keeping the ball between the paws, past other players and to the goal.
 
-dribbling.py     Keeping the ball between the paws: step length, angle off straight ahead, a robot in the way.
-or_shoot.py      Dribbling round blockers against the team's former play: orbit and shoot.
-past.py          Dribbling past standing players, and past a walking one; how often a dribbler has to decide.
-classes.py       A mover among standing players, by class of situation.
+dribbling.py  steps, angles, contact    past.py       past who stands or walks
+or_shoot.py   against orbit and shoot
 """

@@ -9,19 +9,11 @@ from math import pi
 
 import numpy as np
 
-from soccer_env.leagues import find_league
-from soccer_env.train.papers.claim import Batch, Claim
-from soccer_env.train.papers.dribble_runs import (
-    COUNTED,
-    LOST,
-    NO_SHOTS,
-    losses,
-    place_with_ball,
-    record_dribble,
-    set_up_dribblers,
-)
-from soccer_env.train.papers.plots import plot
-from soccer_env.train.papers.staging import LEGGED, put, stage, still_actions
+from soccer_env.match import Match
+from soccer_env.train.papers.claim import Batch, claim
+from soccer_env.train.papers.dribble_runs import COUNTED, LOST, NO_SHOTS, losses, place_with_ball, record_dribble
+from soccer_env.train.papers.plots import columns, plot
+from soccer_env.train.papers.staging import LEGGED, put, stage, stage_team, still_actions
 from soccer_env.train.papers.values import percent
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
@@ -56,7 +48,8 @@ def dribble_steps(batch: Batch, world: str) -> Samples:
     rng, runs = batch.rng(), []
     y, turned = rng.uniform(-0.5, 0.5, MATCHES), rng.uniform(-0.5, 0.5, MATCHES)
     for step in STEPS:
-        match = set_up_dribblers(batch, find_league(world), MATCHES, 1, NO_SHOTS | {"step_length": step})
+        settings = NO_SHOTS | {"step_length": step}
+        match = stage_team(batch, "sacks-2001", settings, world, matches=MATCHES, keeper=0)
         place_with_ball(match, y=y, heading=turned)
         runs.append(losses(record_dribble(match, SECONDS)))
     columns = {name: np.stack([one[name] for one in runs], axis=1).astype(float) for name in runs[0]}
@@ -76,23 +69,20 @@ def loss_increase(samples: Samples, world: str = "") -> float:
     return by_step[STEPS.index(0.040)] - 2.0 * by_step[STEPS.index(PAPER_STEP)]
 
 
-S51 = Claim(
-    id="S51", section="4.3.2",
-    statement="Steps of 4 cm kick the ball away too often; 3.5 cm mostly keep it.",
-    method=f"{MATCHES} robots a batch and step length begin with the ball between their paws and dribble to an empty "
+S51 = claim(
+    "S51", "4.3.2", "Steps of 4 cm kick the ball away too often; 3.5 cm mostly keep it.",
+    f"{MATCHES} robots a batch and step length begin with the ball between their paws and dribble to an empty "
     f"goal by the team's own potential field for {SECONDS:g} s, without shots. A ball {100 * LOST:g} cm from the chest "
     "is lost. Beside it the same with the body of one piece.",
-    criteria=(
-        counted(f"kept over {COUNTED:g} m at 3.5 cm", "kept at 3.5", "tried at 3.5", at_least=80.0),
-        measured("losses per metre at 4 cm less twice those at 3.5 cm", loss_increase, above=0.0),
-        reported("losses per metre at 3.5 cm", lambda s: losses_per_metre(s)[STEPS.index(PAPER_STEP)]),
-        reported("losses per metre at 4 cm", lambda s: losses_per_metre(s)[STEPS.index(0.040)]),
-        reported("body of one piece: kept over 1 m at 3.5 cm", percent, "smooth kept at 3.5", "smooth tried at 3.5",
-                 unit="%"),
-        reported("body of one piece: losses per metre at 3.5 cm", lambda s: losses_per_metre(s, "smooth ")[1]),
-        reported("body of one piece: losses per metre at 4 cm", lambda s: losses_per_metre(s, "smooth ")[2]),
-        reported("body of one piece: at 4 cm less twice those at 3.5 cm", loss_increase, "smooth "),
-    ),
+    counted(f"kept over {COUNTED:g} m at 3.5 cm", "kept at 3.5", "tried at 3.5", at_least=80.0),
+    measured("losses per metre at 4 cm less twice those at 3.5 cm", loss_increase, above=0.0),
+    reported("losses per metre at 3.5 cm", lambda s: losses_per_metre(s)[STEPS.index(PAPER_STEP)]),
+    reported("losses per metre at 4 cm", lambda s: losses_per_metre(s)[STEPS.index(0.040)]),
+    reported("body of one piece: kept over 1 m at 3.5 cm", percent, "smooth kept at 3.5", "smooth tried at 3.5",
+             unit="%"),
+    reported("body of one piece: losses per metre at 3.5 cm", lambda s: losses_per_metre(s, "smooth ")[1]),
+    reported("body of one piece: losses per metre at 4 cm", lambda s: losses_per_metre(s, "smooth ")[2]),
+    reported("body of one piece: at 4 cm less twice those at 3.5 cm", loss_increase, "smooth "),
     measure=measure_in_both_worlds(dribble_steps),
     figures=plot("Balls lost by a dribbler", "length of a step [cm]", "losses per metre",
                  [100 * step for step in STEPS],
@@ -113,35 +103,29 @@ def push_at_angles(batch: Batch, world: str) -> Samples:
     for angle in ANGLES:
         match = stage(batch, world, matches=MATCHES, senses="ideal")
         place_with_ball(match, -0.6, -0.4 * side)
-        lost.append(
-            losses(record_dribble(match, ASIDE_SECONDS, walking_actions(match, PAPER_STEP, side * angle)))["lost"] > 0
-        )
+        way = record_dribble(match, ASIDE_SECONDS, walking_actions(match, PAPER_STEP, side * angle))
+        lost.append(losses(way)["lost"] > 0)
     return {"lost": np.stack(lost, axis=1).astype(float)}
 
 
-def walking_actions(match: object, step: float, angle: np.ndarray) -> np.ndarray:
+def walking_actions(match: Match, step: float, angle: np.ndarray) -> np.ndarray:
     """Return actions by which robot 0 walks with steps [m] at angles [degrees] off straight ahead."""
-    actions, drive = still_actions(match), match.league.drive  # type: ignore[arg-type, attr-defined]
-    speed = step / (drive.gait_steps * match.league.dt)  # type: ignore[attr-defined]
+    actions, drive = still_actions(match), match.league.drive
+    speed = step / (drive.gait_steps * match.league.dt)
     actions[:, 0, 0] = speed * np.cos(angle * pi / 180.0) / drive.forward
     actions[:, 0, 1] = speed * np.sin(angle * pi / 180.0) / drive.sideways
     return actions
 
 
-def losses_by_angle(samples: Samples, world: str = "") -> list[float]:
-    """Return the share of runs that lose the ball [%] at each angle off straight ahead."""
-    return [100.0 * float(value) for value in samples[f"{world}lost"].mean(axis=0)]
-
-
 def wide_angle_loss_difference(samples: Samples, world: str = "") -> float:
     """Return the share of balls lost [%] at 60 degrees and more minus the share at 45 degrees and less."""
-    shares, angles = np.array(losses_by_angle(samples, world)), np.array(ANGLES)
+    shares, angles = np.array(columns(f"{world}lost")(samples)), np.array(ANGLES)
     return float(shares[angles >= 60.0].mean() - shares[angles <= KNEE].mean())
 
 
 def half_loss_angle(samples: Samples, world: str = "") -> float:
     """Return the angle [degrees] at which losses reach half of their maximum, by linear interpolation."""
-    shares = losses_by_angle(samples, world)
+    shares = columns(f"{world}lost")(samples)
     half = 0.5 * max(shares)
     above = next((i for i, value in enumerate(shares) if value > half), 0)
     if above == 0:
@@ -150,23 +134,19 @@ def half_loss_angle(samples: Samples, world: str = "") -> float:
     return ANGLES[above - 1] + part * (ANGLES[above] - ANGLES[above - 1])
 
 
-S59 = Claim(
-    id="S59", section="4.3.3",
-    statement="Moving more than about 45 degrees to its side a robot frequently loses the ball.",
-    method=f"{MATCHES} robots a batch and angle walk {ASIDE_SECONDS:g} s with steps of 3.5 cm at 0 to 75 degrees off "
+S59 = claim(
+    "S59", "4.3.3", "Moving more than about 45 degrees to its side a robot frequently loses the ball.",
+    f"{MATCHES} robots a batch and angle walk {ASIDE_SECONDS:g} s with steps of 3.5 cm at 0 to 75 degrees off "
     "straight ahead, half to each side, without turning, the ball between their paws at the start. Knee: where losses "
     "reach half of their greatest share. Beside it the same with the body of one piece.",
-    criteria=(
-        measured("lost at 60 degrees and more, less lost at 45 and less", wide_angle_loss_difference, unit="%",
-                 above=10.0),
-        measured("knee", half_loss_angle, unit="degrees", at_least=KNEE - KNEE_ROOM, at_most=KNEE + KNEE_ROOM),
-        reported("body of one piece: the difference", wide_angle_loss_difference, "smooth ", unit="%"),
-        reported("body of one piece: the knee", half_loss_angle, "smooth ", unit="degrees"),
-    ),
+    measured("lost at 60 degrees and more, less lost at 45 and less", wide_angle_loss_difference, unit="%", above=10.0),
+    measured("knee", half_loss_angle, unit="degrees", at_least=KNEE - KNEE_ROOM, at_most=KNEE + KNEE_ROOM),
+    reported("body of one piece: the difference", wide_angle_loss_difference, "smooth ", unit="%"),
+    reported("body of one piece: the knee", half_loss_angle, "smooth ", unit="degrees"),
     measure=measure_in_both_worlds(push_at_angles),
     figures=plot(f"Balls lost within {ASIDE_SECONDS:g} s of walking aside", "angle off straight ahead [degrees]",
                  "balls lost [%]", ANGLES,
-                 {"legs that swing": losses_by_angle, "body of one piece": lambda s: losses_by_angle(s, "smooth ")}),
+                 {"legs that swing": columns("lost"), "body of one piece": columns("smooth lost")}),
     batches=8, seconds=4.0,
     ingredients=("the body's outline: how far the paws reach beside the ball", "the gait"),
     note="The paws of a body of one piece hold the ball from both sides; it slips out under a paw only if the robot "
@@ -181,9 +161,7 @@ def push_past_robot(batch: Batch, world: str) -> Samples:
 
     "caught": share of time (M, 2) for which the other robot blocks them; "made": distance walked [m].
     """
-    rng = batch.rng()
-    shares = []
-    made = []
+    rng, shares, made = batch.rng(), [], []
     side, distance = rng.choice([-1.0, 1.0], MATCHES), rng.uniform(NEAREST, FARTHEST, MATCHES)
     aside = rng.uniform(-0.03, 0.03, MATCHES)
     for angle in LIMITS:
@@ -203,28 +181,20 @@ def blocked_time_difference(samples: Samples, world: str = "") -> float:
     return 100.0 * float(by_limit[0] - by_limit[1])
 
 
-def mean_at_limit(samples: Samples, name: str, index: int) -> float:
-    """Return the mean of the samples `name` at the angle LIMITS[index], times 100: a share [%], or a distance [cm]."""
-    return 100.0 * float(samples[name][:, index].mean())
-
-
-S60 = Claim(
-    id="S60", section="4.3.3",
-    statement="With a player directly in front 45 degrees interlock the legs; up to 55 help.",
-    method=f"{MATCHES} robots a batch begin with the ball between their paws and a robot that stands "
+S60 = claim(
+    "S60", "4.3.3", "With a player directly in front 45 degrees interlock the legs; up to 55 help.",
+    f"{MATCHES} robots a batch begin with the ball between their paws and a robot that stands "
     f"{100 * NEAREST:.0f} to {100 * FARTHEST:.0f} cm right ahead, and walk {PUSH_SECONDS:g} s with steps of 3.5 cm at "
     f"45 or 55 degrees. Caught: in touch with the other and slower than {100 * CAUGHT:g} cm/s of the 7 that it wants. "
     "Beside it the same with the body of one piece.",
-    criteria=(
-        measured("share of time caught at 45 degrees less that at 55", blocked_time_difference, unit="%", above=0.0),
-        reported("caught at 45 degrees", mean_at_limit, "caught", 0, unit="%"),
-        reported("caught at 55 degrees", mean_at_limit, "caught", 1, unit="%"),
-        reported("distance made at 45 degrees", mean_at_limit, "made", 0, unit="cm"),
-        reported("distance made at 55 degrees", mean_at_limit, "made", 1, unit="cm"),
-        reported("body of one piece: caught at 45 degrees", mean_at_limit, "smooth caught", 0, unit="%"),
-        reported("body of one piece: caught at 55 degrees", mean_at_limit, "smooth caught", 1, unit="%"),
-        reported("body of one piece: the difference", blocked_time_difference, "smooth ", unit="%"),
-    ),
+    measured("share of time caught at 45 degrees less that at 55", blocked_time_difference, unit="%", above=0.0),
+    reported("caught at 45 degrees", "caught", 0, unit="%"),
+    reported("caught at 55 degrees", "caught", 1, unit="%"),
+    reported("distance made at 45 degrees", "made", 0, unit="cm"),
+    reported("distance made at 55 degrees", "made", 1, unit="cm"),
+    reported("body of one piece: caught at 45 degrees", "smooth caught", 0, unit="%"),
+    reported("body of one piece: caught at 55 degrees", "smooth caught", 1, unit="%"),
+    reported("body of one piece: the difference", blocked_time_difference, "smooth ", unit="%"),
     measure=measure_in_both_worlds(push_past_robot), batches=16, seconds=2.0,
     ingredients=("the robots' outlines and their friction", "traction and thrust"),
     note="The body of one piece shows the paper's effect, at its outline and not at legs. Legs that swing are caught "

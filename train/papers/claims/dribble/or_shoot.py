@@ -1,13 +1,14 @@
 """Dribbling round blockers against the team's former play: orbit and shoot.  [Sacks 2001, 4, 4.3.4]"""
 
-from collections.abc import Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
 
 from soccer_env.match.staging import send_off
-from soccer_env.train.papers.claim import PLAYED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import PLAYED, Batch, claim
 from soccer_env.train.papers.dribble_runs import start_drill
+from soccer_env.train.papers.plots import plot_shares
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 from soccer_env.types import AWAY, HOME
 
@@ -67,41 +68,34 @@ def dribbling_advantage(samples: Samples, quantity: str, where: str = "", factor
     return factor * float(new - old)
 
 
-def goal_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the share of runs with a goal against the time."""
-    times = tuple(np.arange(0.0, SECONDS + 1.0, 5.0))
-    curves = tuple(
-        Curve(f"{name}, {text}", times, [
-            100.0 * float((samples[f"goals {name}{where}"] * (samples[f"ended {name}{where}"] <= time)).mean())
-            for time in times
-        ])
-        for name in STRATEGIES
-        for where, text in (("", "three who go for the ball"), (" still", "three still"), (" alone", "nobody"))
-    )  # fmt: skip
-    return (Figure("Goals of one robot with the ball", "time [s]", "runs with a goal [%]", curves),)
+def goal_times(samples: Samples, name: str) -> np.ndarray:
+    """Return the times of the goals [s] of a strategy, such as "dribble still", infinite for runs without one."""
+    return np.where(samples[f"goals {name}"] > 0.0, samples[f"ended {name}"], np.inf)
 
 
-S31 = Claim(
-    id="S31", section="4, 4.3.4",
-    statement="Dribbling round other players adds to the strategy of orbiting the ball and shooting.",
-    method=f"{MATCHES} runs a batch begin as the drill {SCENE}: ball between the paws, three players on the way, who "
+S31 = claim(
+    "S31", "4, 4.3.4", "Dribbling round other players adds to the strategy of orbiting the ball and shooting.",
+    f"{MATCHES} runs a batch begin as the drill {SCENE}: ball between the paws, three players on the way, who "
     f"go for the ball as the team chaser does; goals within {SECONDS:g} s, until the first of either side, by "
     "sacks-2001, which dribbles round who is in its way and shoots where nobody is, against orbit and shoot "
     "(avoidance=False: from anywhere, whoever stands there). Beside it against three who stand, and with nobody there.",
-    criteria=(
-        measured("goals, dribbling less orbit and shoot, blockers after the ball", dribbling_advantage, "goals",
-                 unit="%", above=0.0),
-        *(reported(f"goals, {name}", f"goals {name}", unit="%") for name in (*STRATEGIES, *MORE)),
-        *(reported(f"goals against, {name}", f"against {name}", unit="%") for name in (*STRATEGIES, *MORE)),
-        reported("ball's progress, dribbling less orbit and shoot", dribbling_advantage, "progress", unit="cm"),
-        reported("blockers stand: goals, dribbling less orbit and shoot", dribbling_advantage, "goals", " still",
-                 unit="%"),
-        reported("blockers stand: ball's progress, dribbling less orbit and shoot", dribbling_advantage, "progress",
-                 " still", unit="cm"),
-        reported("nobody in the way: goals, dribbling less orbit and shoot", dribbling_advantage, "goals", " alone",
-                 unit="%"),
-    ),
-    rules=PLAYED, measure=compare_strategies, figures=goal_figure, batches=14, seconds=4.2,
+    measured("goals, dribbling less orbit and shoot, blockers after the ball", dribbling_advantage, "goals",
+             unit="%", above=0.0),
+    *(reported(f"goals, {name}", f"goals {name}", unit="%") for name in (*STRATEGIES, *MORE)),
+    *(reported(f"goals against, {name}", f"against {name}", unit="%") for name in (*STRATEGIES, *MORE)),
+    reported("ball's progress, dribbling less orbit and shoot", dribbling_advantage, "progress", unit="cm"),
+    reported("blockers stand: goals, dribbling less orbit and shoot", dribbling_advantage, "goals", " still", unit="%"),
+    reported("blockers stand: ball's progress, dribbling less orbit and shoot", dribbling_advantage, "progress",
+             " still", unit="cm"),
+    reported("nobody in the way: goals, dribbling less orbit and shoot", dribbling_advantage, "goals", " alone",
+             unit="%"),
+    rules=PLAYED, measure=compare_strategies,
+    figures=plot_shares("Goals of one robot with the ball", "time [s]", "runs with a goal [%]",
+                        np.arange(0.0, SECONDS + 1.0, 5.0),
+                        {f"{name}, {text}": partial(goal_times, name=f"{name}{where}") for name in STRATEGIES
+                         for where, text in (("", "three who go for the ball"), (" still", "three still"),
+                                             (" alone", "nobody"))}),
+    batches=14, seconds=4.2,
     ingredients=("the drill's places", "kicks of 0.8 to 1.5 m/s with a spread of 10 degrees"),
     note="Against players who only stand a blind shot that hits somebody is fetched and tried again, for nobody takes "
     "the ball away.",

@@ -3,13 +3,8 @@
 Points have neither camera nor surface: their distances count from middle to middle (MS54). Distances of robots count
 from camera to surface, as the sensors gave them (MS42), and for comparison from middle to middle.
 
-constants.py     The constants of the potential field, and the transfer of constants from points to robots.
-forces.py        The forces of the potential field: exponents, the goal's pull, the cosine, walls.
-minima.py        Local minima and remaining indecision, in the point simulator and in the full one.
-movers.py        A stronger preference for the present side, with moving players.
-numbers.py       The numbers of the potential field: zero forces, unit forces, players and walls; computing time.
-paths.py         Paths through the potential field: steadiness, retreat, indecision.
-point_world.py   The point-mass simulator that the author tried first, with the team's own forces and steering.
-points.py        Scenes of the point simulator: a dribbler on its way to the goal, and players in its way.
-robots.py        The scenes of the point simulator with robots, ball and sensors: the full simulator.
+    constants.py    k2, x0, their transfer     forces.py       exponents, cosine, goal
+    minima.py       minima, keeping a side     numbers.py      unit forces, walls, time
+    paths.py        steadiness, indecision     point_world.py  the simulator of points
+    points.py       scenes, runs of robots
 """

@@ -6,10 +6,9 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure
-from soccer_env.train.papers.claims.field.movers import SPEEDS, approaching_player
-from soccer_env.train.papers.claims.field.points import NOISE, SCENES, is_clean, player_near_path, run_points, starts
-from soccer_env.train.papers.claims.field.robots import ROBOTS, pad_with_nan, run_robots
+from soccer_env.train.papers.claim import Batch, Curve, Figure, claim
+from soccer_env.train.papers.claims.field import points
+from soccer_env.train.papers.claims.field.points import NOISE, ROBOTS, SCENES, SPEEDS
 from soccer_env.train.papers.values import mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
@@ -27,7 +26,10 @@ SETTINGS = {"k2": "player_gain", "x0": "player_range"}  # of the team
 
 def scenes(rng: np.random.Generator) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     """Draw starts and two kinds of players: standing up to 25 cm beside the path, or coming straight at the start."""
-    return starts(rng), {"standing": player_near_path(rng, 0.0, 0.25), "moving": approaching_player(rng)}
+    return points.starts(rng), {
+        "standing": points.player_near_path(rng, 0.0, 0.25),
+        "moving": points.approaching_player(rng),
+    }
 
 
 def vary_each_constant(batch: Batch) -> Samples:
@@ -39,8 +41,8 @@ def vary_each_constant(batch: Batch) -> Samples:
         for axis, values in AXES.items():
             for value in values:
                 play = {SETTINGS[axis]: value}
-                runs = run_points(batch.rng(1), start, crowd, {"body": True, "range_noise": NOISE}, **play)
-                samples[f"points {kind} {axis} {value:g}"] = is_clean(runs).astype(float)
+                runs = points.run_points(batch.rng(1), start, crowd, {"body": True, "range_noise": NOISE}, **play)
+                samples[f"points {kind} {axis} {value:g}"] = points.is_clean(runs).astype(float)
             for value in TRIED[axis]:
                 play = {SETTINGS[axis]: value}
                 robots = at_paper if value in PAPER else robots_succeed(batch, start, crowd, play, FEW)
@@ -50,18 +52,22 @@ def vary_each_constant(batch: Batch) -> Samples:
 
 def robots_succeed(batch: Batch, start: np.ndarray, crowd: np.ndarray, play: dict[str, Any], count: int) -> np.ndarray:
     """Return whether robots pass cleanly (M,) in the first `count` scenes, else NaN."""
-    return pad_with_nan(run_robots(batch, start[:count], crowd[:count], **play).is_clean)
+    return points.pad_with_nan(points.run_robots(batch, start, crowd, count=count, **play).is_clean)
+
+
+def values_of(who: str, axis: str) -> tuple[float, ...]:
+    """Return the values [m] of a constant that points or robots try."""
+    return AXES[axis] if who == "points" else TRIED[axis]
 
 
 def success(samples: Samples, who: str, kind: str, axis: str) -> list[float]:
     """Return the share of clean runs [%] at each tried value of a constant."""
-    values = AXES[axis] if who == "points" else TRIED[axis]
-    return [100 * mean(samples[f"{who} {kind} {axis} {value:g}"]) for value in values]
+    return [100 * mean(samples[f"{who} {kind} {axis} {value:g}"]) for value in values_of(who, axis)]
 
 
 def least_sufficient_value(samples: Samples, who: str, kind: str, axis: str) -> float:
     """Return the least value [m] of a constant at which the fitted success curve is within NEARLY of its maximum."""
-    values = AXES[axis] if who == "points" else TRIED[axis]
+    values = values_of(who, axis)
     fine = np.linspace(np.log2(values[0]), np.log2(values[-1]), FINE)
     curve = np.polyval(np.polyfit(np.log2(values), success(samples, who, kind, axis), len(values) // 2), fine)
     return float(2.0 ** fine[int((curve >= min(curve.max(), 100.0) - NEARLY).argmax())])
@@ -74,38 +80,29 @@ def moving_over_standing_value(samples: Samples, who: str, axis: str) -> float:
 
 def line_figures(samples: Samples) -> Sequence[Figure]:
     """Plot the share of clean runs against each constant, for points and for robots."""
+    lines = [(who, kind) for who in ("points", "robots") for kind in KINDS]
     return [
-        Figure(
-            f"Passing a player without touching it, against {axis}",
-            f"{axis} [m]",
-            "runs [%]",
-            tuple(
-                Curve(f"{who}, {kind}", list(values), success(samples, who, kind, axis))
-                for who, values in (("points", AXES[axis]), ("robots", TRIED[axis]))
-                for kind in KINDS
-            ),
-        )
+        Figure(f"Passing a player without touching it, against {axis}", f"{axis} [m]", "runs [%]",
+               tuple(Curve(f"{who}, {kind}", list(values_of(who, axis)), success(samples, who, kind, axis))
+                     for who, kind in lines))
         for axis in AXES
-    ]
+    ]  # fmt: skip
 
 
-S53 = Claim(
-    id="S53", section="4.3.2",
-    statement="Smaller constants suffice for stationary obstacles; moving ones need x0 = 1 m, k2 = 800.",
-    method=f"{SCENES} points a batch (facing the goal, range error {100 * NOISE:.0f} %) past a player that stands up "
+S53 = claim(
+    "S53", "4.3.2", "Smaller constants suffice for stationary obstacles; moving ones need x0 = 1 m, k2 = 800.",
+    f"{SCENES} points a batch (facing the goal, range error {100 * NOISE:.0f} %) past a player that stands up "
     f"to 25 cm beside their way, or comes straight for them at {100 * SPEEDS[0]:.0f} to {100 * SPEEDS[1]:.0f} cm/s, "
     f"{len(GAINS)} values of k2 and {len(RANGES)} of x0, the other one the paper's; {FEW} robots a batch with four "
     "values of each. A polynomial in the logarithm of the constant, of half as many degrees as values, is fitted to "
     f"the success (past it, nobody touched); the least value that suffices is where it comes within {NEARLY:.0f} "
     "points of its best.",
-    criteria=(
-        *(measured(f"{who}: least sufficient {axis}, moving over standing", moving_over_standing_value, who, axis,
-                   above=1.0) for who in ("points", "robots") for axis in AXES),
-        *(reported(f"{who}: least sufficient {axis}, {kind}", least_sufficient_value, who, kind, axis, unit="m")
-          for who in ("points", "robots") for axis in AXES for kind in KINDS),
-        *(reported(f"{who}, {kind}: success with the paper's", f"{who} {kind} k2 {PAPER[0]:g}", unit="%")
-          for who in ("points", "robots") for kind in KINDS),
-    ),
+    *(measured(f"{who}: least sufficient {axis}, moving over standing", moving_over_standing_value, who, axis,
+               above=1.0) for who in ("points", "robots") for axis in AXES),
+    *(reported(f"{who}: least sufficient {axis}, {kind}", least_sufficient_value, who, kind, axis, unit="m")
+      for who in ("points", "robots") for axis in AXES for kind in KINDS),
+    *(reported(f"{who}, {kind}: success with the paper's", f"{who} {kind} k2 {PAPER[0]:g}", unit="%")
+      for who in ("points", "robots") for kind in KINDS),
     measure=vary_each_constant, figures=line_figures, least=2, batches=5, seconds=12.0,
 )  # fmt: skip
 
@@ -118,12 +115,14 @@ def compare_tuned_constants(batch: Batch) -> Samples:
     constants: dict[str, dict[str, Any]] = {"tuned": {"player_gain": gain, "player_range": far}, "paper": {}}
     for kind, crowd in crowds.items():
         for name, play in constants.items():
-            runs = run_points(batch.rng(1), start, crowd, None, **play)
-            samples[f"points {kind} {name}"] = is_clean(runs).astype(float)
+            runs = points.run_points(batch.rng(1), start, crowd, None, **play)
+            samples[f"points {kind} {name}"] = points.is_clean(runs).astype(float)
             samples[f"robots {kind} {name}"] = robots_succeed(batch, start, crowd, play, ROBOTS)
     gain, far = tune(start, {"standing": crowds["standing"]})
     short: dict[str, Any] = {"player_gain": gain, "player_range": far}
-    samples["points standing short"] = is_clean(run_points(batch.rng(1), start, crowds["standing"], None, **short))
+    samples["points standing short"] = points.is_clean(
+        points.run_points(batch.rng(1), start, crowds["standing"], None, **short)
+    )
     samples["robots standing short"] = robots_succeed(batch, start, crowds["standing"], short, FEW)
     return samples | {"short gain": np.full(SCENES, gain), "short range": np.full(SCENES, far)}
 
@@ -134,8 +133,8 @@ def tune(start: np.ndarray, crowds: dict[str, np.ndarray]) -> tuple[float, float
     for gain in GAINS:
         for far in RANGES:
             play: dict[str, Any] = {"player_gain": gain, "player_range": far}
-            runs = [run_points(np.random.default_rng(0), start, crowd, **play) for crowd in crowds.values()]
-            worth = mean([is_clean(one) for one in runs]), -mean([one.length for one in runs])
+            runs = [points.run_points(np.random.default_rng(0), start, crowd, **play) for crowd in crowds.values()]
+            worth = mean([points.is_clean(one) for one in runs]), -mean([one.length for one in runs])
             if worth > best:
                 best, chosen = worth, (gain, far)
     return chosen
@@ -151,25 +150,22 @@ def clean_share(samples: Samples, who: str, name: str, kinds: Sequence[str] = KI
     return 100 * mean([samples[f"{who} {kind} {name}"] for kind in kinds])
 
 
-S65 = Claim(
-    id="S65", section="4.3",
-    statement="A simulation with points would not carry over well to the robots.",
-    method=f"k2 and x0 with which most of {SCENES} exact points a batch pass the standing and the coming player of "
+S65 = claim(
+    "S65", "4.3", "A simulation with points would not carry over well to the robots.",
+    f"k2 and x0 with which most of {SCENES} exact points a batch pass the standing and the coming player of "
     f"S53, of equally good ones those with the shortest ways; then {ROBOTS} robots of each kind with them in the same "
     "scenes; and both with the paper's constants.",
-    criteria=(
-        reported("clean passes, points less robots, constants of the points", success_drop, "tuned", unit="pp"),
-        reported("the same with the paper's constants", success_drop, "paper", unit="pp"),
-        reported("tuned past standing players alone: the same there",
-                 partial(success_drop, name="short", kinds=KINDS[:1]), unit="pp"),
-        reported("k2 tuned past standing players alone", "short gain", unit="m"),
-        reported("x0 tuned past standing players alone", "short range", unit="m"),
-        reported("k2 tuned with points", "gain", unit="m"),
-        reported("x0 tuned with points", "range", unit="m"),
-        *(reported(f"{who}, {kind}, {title}", clean_share, who, name, (kind,), unit="%")
-          for name, title in (("tuned", "constants of the points"), ("paper", "the paper's"))
-          for who in ("points", "robots") for kind in KINDS),
-    ),
+    reported("clean passes, points less robots, constants of the points", success_drop, "tuned", unit="pp"),
+    reported("the same with the paper's constants", success_drop, "paper", unit="pp"),
+    reported("tuned past standing players alone: the same there",
+             partial(success_drop, name="short", kinds=KINDS[:1]), unit="pp"),
+    reported("k2 tuned past standing players alone", "short gain", unit="m"),
+    reported("x0 tuned past standing players alone", "short range", unit="m"),
+    reported("k2 tuned with points", "gain", unit="m"),
+    reported("x0 tuned with points", "range", unit="m"),
+    *(reported(f"{who}, {kind}, {title}", clean_share, who, name, (kind,), unit="%")
+      for name, title in (("tuned", "constants of the points"), ("paper", "the paper's"))
+      for who in ("points", "robots") for kind in KINDS),
     measure=compare_tuned_constants, least=3, batches=6, seconds=8.0,
     ingredients=("23 cm between two middles as a collision of points, which tells them how large bodies are",),
     note="Tuned so that the coming player is passed as well, points choose forces that are stronger and reach farther "

@@ -7,22 +7,12 @@ from typing import Any
 import numpy as np
 
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
-from soccer_env.train.papers.claim import NO_MATCH, Ablation, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import NO_MATCH, Ablation, Batch, Curve, Figure, claim
+from soccer_env.train.papers.claims.field import points
 from soccer_env.train.papers.claims.field.point_world import players
-from soccer_env.train.papers.claims.field.points import (
-    FIELD,
-    SCENES,
-    START,
-    TOUCH,
-    UNIT,
-    collided,
-    draw_field,
-    player_near_path,
-    run_points,
-    starts,
-)
-from soccer_env.train.papers.claims.field.robots import ROBOTS, pad_with_nan, run_robots
-from soccer_env.train.papers.values import mean, median, reduction
+from soccer_env.train.papers.claims.field.points import FIELD, ROBOTS, SCENES, TOUCH, UNIT
+from soccer_env.train.papers.plots import columns
+from soccer_env.train.papers.values import least_fall, least_rise, mean, median, reduction
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 EXPONENTS = (1, 2, 3)
@@ -36,10 +26,10 @@ GOAL_X = 1.6  # [m] x of a dribbler's destination
 def compare_exponents(batch: Batch) -> Samples:
     """Return distance at first reaction [m], peak turn [rad], clearance [m] (M, exponents); forces equal at 444 mm."""
     rng = batch.rng()
-    start, crowd = starts(rng), player_near_path(rng, 0.0, 0.25)
+    start, crowd = points.starts(rng), points.player_near_path(rng, 0.0, 0.25)
     columns: dict[str, list[np.ndarray]] = {"onset": [], "peak": [], "clearance": []}
     for exponent in EXPONENTS:
-        runs = run_points(rng, start, crowd, exponent=exponent, player_gain=matched_gain(exponent))
+        runs = points.run_points(rng, start, crowd, exponent=exponent, player_gain=matched_gain(exponent))
         away = np.linalg.norm(runs.others[:-1, :, 0] - runs.path[:-1], axis=-1)
         reacts = np.abs(runs.off) > REACTS
         first = reacts.argmax(axis=0)
@@ -54,51 +44,40 @@ def matched_gain(exponent: int) -> float:
     return 0.8 * UNIT ** (exponent - 1)
 
 
-def median_for_exponent(samples: Samples, n: int, name: str, scale: float) -> float:
-    """Return the median of the quantity `name` for the exponent `n`, times `scale`."""
-    return scale * median(samples[name][:, EXPONENTS.index(n)])
-
-
-def medians_by_exponent(samples: Samples, name: str, scale: float) -> list[float]:
-    """Return the median of the quantity `name` for each exponent, times `scale`."""
-    return [median_for_exponent(samples, n, name, scale) for n in EXPONENTS]
+onsets, peaks = columns("onset", median, 100.0), columns("peak", median, DEGREES)  # [cm], [deg]: for each exponent
 
 
 def exponent_figures(samples: Samples) -> Sequence[Figure]:
     """Plot each exponent's force against the distance, and its path past a player over the default field."""
     distances = np.linspace(0.25, 1.1, 35)
-    curves, paths = [], {}
-    crowd, start = players([[0.0, 0.12]]), np.array([[START, 0.0]])
+    curves, plays = [], {}
     for exponent in EXPONENTS:
         settings: dict[str, Any] = {"exponent": exponent, "player_gain": matched_gain(exponent)}
         play = SacksSettings(**settings).record()[0]
         forces = [FIELD.repulsion(x, play["player_gain"], play["player_range"], play) for x in distances]
         curves.append(Curve(f"exponent {exponent}", list(100 * distances), forces))
-        paths[f"exponent {exponent}"] = run_points(np.random.default_rng(0), start, crowd, **settings).path[:, 0]
+        plays[f"exponent {exponent}"] = settings
     return (
         Figure("Force of a player, 1 at 444 mm", "distance [cm]", "force [goal's pull]", tuple(curves), rules=(1.0,)),
-        draw_field("Paths past a player, and the forces with exponent 1", crowd, paths),
+        points.draw_field("Paths past a player, and the forces with exponent 1", [[0.0, 0.12]], plays),
     )
 
 
-S44 = Claim(
-    id="S44", section="4.3.1",
-    statement="With forces by 1/d instead of 1/d^3 the robot reacts earlier and goes more smoothly.",
-    method=f"{SCENES} points a batch pass a player that stands up to 25 cm beside their way, exponents 1, 2 and 3 with "
+S44 = claim(
+    "S44", "4.3.1", "With forces by 1/d instead of 1/d^3 the robot reacts earlier and goes more smoothly.",
+    f"{SCENES} points a batch pass a player that stands up to 25 cm beside their way, exponents 1, 2 and 3 with "
     "the gain for which the force is 1 at 444 mm, all else as in the team; distance from which the way is 5 degrees "
     "off the goal, and greatest turn from one step to the next.",
-    criteria=(
-        measured("least fall of the first reaction's distance with the exponent",
-                 lambda samples: -float(np.diff(medians_by_exponent(samples, "onset", 100.0)).max()), unit="cm",
-                 above=0.0),
-        measured("greatest turn rises with the exponent (least rise of the median)",
-                 lambda samples: float(np.diff(medians_by_exponent(samples, "peak", DEGREES)).min()), unit="deg",
-                 above=0.0),
-        *(reported(f"exponent {n}: first reaction", median_for_exponent, n, "onset", 100.0, unit="cm")
-          for n in EXPONENTS),
-        *(reported(f"exponent {n}: greatest turn", median_for_exponent, n, "peak", DEGREES, unit="deg")
-          for n in EXPONENTS),
-    ),
+    measured("least fall of the first reaction's distance with the exponent",
+             lambda s: least_fall(onsets(s)), unit="cm",
+             above=0.0),
+    measured("greatest turn rises with the exponent (least rise of the median)",
+             lambda s: least_rise(peaks(s)), unit="deg",
+             above=0.0),
+    *(reported(f"exponent {n}: first reaction", lambda s, i: onsets(s)[i], i, unit="cm")
+      for i, n in enumerate(EXPONENTS)),
+    *(reported(f"exponent {n}: greatest turn", lambda s, i: peaks(s)[i], i, unit="deg")
+      for i, n in enumerate(EXPONENTS)),
     rules=NO_MATCH, measure=compare_exponents, figures=exponent_figures, batches=8, seconds=0.5,
     ingredients=("the distance at which the exponents are matched: where the paper's force is 1",),
 )  # fmt: skip
@@ -112,7 +91,7 @@ def compare_reactions(batch: Batch, **play: Any) -> Samples:
         start = np.column_stack([np.full(SCENES, GOAL_X - away), np.zeros(SCENES)])
         place = start + np.column_stack([distance * np.cos(bearing), distance * np.sin(bearing)])
         for kind in ("unit", "proportional"):
-            runs = run_points(rng, start, players(place[:, None]), **{"goal_force": kind, **play})
+            runs = points.run_points(rng, start, players(place[:, None]), **{"goal_force": kind, **play})
             samples[f"{kind} {name}"] = np.degrees(runs.off[0])
     return samples
 
@@ -122,19 +101,15 @@ def reaction_difference(samples: Samples, kind: str) -> np.ndarray:
     return np.asarray(np.abs(samples[f"{kind} near"] - samples[f"{kind} far"]))
 
 
-S46 = Claim(
-    id="S46", section="4.3.1",
-    statement="With a constant goal force reactions do not depend on the goal's distance.",
-    method=f"{SCENES} points a batch, {NEAR_GOAL:g} m and {FAR_GOAL:g} m from the goal, have a player at the same "
+S46 = claim(
+    "S46", "4.3.1", "With a constant goal force reactions do not depend on the goal's distance.",
+    f"{SCENES} points a batch, {NEAR_GOAL:g} m and {FAR_GOAL:g} m from the goal, have a player at the same "
     "place relative to themselves, 25 to 70 cm away; difference of the directions off the goal that they take.",
-    criteria=(
-        measured("unit force: greatest difference", lambda s: float(reaction_difference(s, "unit").max()), unit="deg",
-                 at_most=1e-6),
-        reported("proportional force: mean difference", lambda s: mean(reaction_difference(s, "proportional")),
-                 unit="deg"),
-        reported("proportional, near: mean size", lambda s: mean(np.abs(s["proportional near"])), unit="deg"),
-        reported("proportional, far: mean size", lambda s: mean(np.abs(s["proportional far"])), unit="deg"),
-    ),
+    measured("unit force: greatest difference", lambda s: float(reaction_difference(s, "unit").max()), unit="deg",
+             at_most=1e-6),
+    reported("proportional force: mean difference", lambda s: mean(reaction_difference(s, "proportional")), unit="deg"),
+    reported("proportional, near: mean size", lambda s: mean(np.abs(s["proportional near"])), unit="deg"),
+    reported("proportional, far: mean size", lambda s: mean(np.abs(s["proportional far"])), unit="deg"),
     rules=NO_MATCH, measure=compare_reactions, batches=4, seconds=0.5,
     without=Ablation("a goal force of size 1 everywhere; here it is k1 times the distance, k1 = 1/m assumed",
                      partial(compare_reactions, goal_force="proportional")),
@@ -144,49 +119,42 @@ S46 = Claim(
 def compare_cosine_factor(batch: Batch) -> Samples:
     """Return deviations and lengths [m] of paths and collisions (M,), with the cosine factor and without it."""
     rng, samples = batch.rng(), {}
-    start, crowd = starts(rng), player_near_path(rng, 0.0, 0.4)
+    start, crowd = points.starts(rng), points.player_near_path(rng, 0.0, 0.4)
     for name, cosine in (("with", True), ("without", False)):
-        runs = run_points(rng, start, crowd, cosine_factor=cosine)
+        runs = points.run_points(rng, start, crowd, cosine_factor=cosine)
         samples[f"deviation {name}"], samples[f"length {name}"] = runs.deviation, runs.length
-        samples[f"hit {name}"] = collided(runs).astype(float)
-        robots = run_robots(batch, start[:ROBOTS], crowd[:ROBOTS], cosine_factor=cosine)
-        samples[f"robots deviation {name}"] = pad_with_nan(robots.deviation)
-        samples[f"robots clean {name}"] = pad_with_nan(robots.is_clean)
+        samples[f"hit {name}"] = points.collided(runs).astype(float)
+        robots = points.run_robots(batch, start, crowd, cosine_factor=cosine)
+        samples[f"robots deviation {name}"] = points.pad_with_nan(robots.deviation)
+        samples[f"robots clean {name}"] = points.pad_with_nan(robots.is_clean)
     return samples | {"aside": np.abs(crowd["y"][:, 0])}
 
 
 def cosine_figures(samples: Samples) -> Sequence[Figure]:
     """Plot the paths past a player with the cosine factor and without it, over the field of each variant."""
-    crowd, start = players([[0.0, 0.15]]), np.array([[START, 0.0]])
-    paths = {
-        name: run_points(np.random.default_rng(0), start, crowd, cosine_factor=cosine).path[:, 0]
-        for name, cosine in (("with the cosine", True), ("without", False))
-    }
+    place, plays = [[0.0, 0.15]], {"with the cosine": {}, "without": {"cosine_factor": False}}
     return (
-        draw_field("Forces with the cosine factor", crowd, paths),
-        draw_field("Forces without the cosine factor", crowd, paths, cosine_factor=False),
+        points.draw_field("Forces with the cosine factor", place, plays),
+        points.draw_field("Forces without the cosine factor", place, plays, cosine_factor=False),
     )
 
 
-S47 = Claim(
-    id="S47", section="4.3.1",
-    statement="Without the cosine factor players beside and behind push robots farther aside than necessary.",
-    method=f"{SCENES} points a batch pass a player that stands up to 40 cm beside their way, with the factor and "
+S47 = claim(
+    "S47", "4.3.1", "Without the cosine factor players beside and behind push robots farther aside than necessary.",
+    f"{SCENES} points a batch pass a player that stands up to 40 cm beside their way, with the factor and "
     f"without; greatest deviation from the straight way; a collision is a distance below {100 * TOUCH:.0f} cm. "
     f"{ROBOTS} robots a batch do the same in the full simulator: the paper speaks of robots.",
-    criteria=(
-        measured("deviation is less by (medians)", reduction, "deviation with", "deviation without", median, unit="%",
-                 at_least=20.0),
-        measured("collisions with the factor less those without",
-                 lambda s: 100 * (mean(s["hit with"]) - mean(s["hit without"])), unit="pp", at_most=FEW_MORE),
-        reported("deviation with the factor", "deviation with", of=median, unit="cm"),
-        reported("deviation without", "deviation without", of=median, unit="cm"),
-        measured("robots: deviation is less by (medians)", reduction, "robots deviation with",
-                 "robots deviation without", median, unit="%", at_least=20.0),
-        reported("robots: clean with the factor", "robots clean with", unit="%"),
-        reported("robots: clean without", "robots clean without", unit="%"),
-        reported("extra length of the path is less by",
-                 lambda s: 100 * (median(s["length without"]) - median(s["length with"])), unit="cm"),
-    ),
+    measured("deviation is less by (medians)", reduction, "deviation with", "deviation without", median, unit="%",
+             at_least=20.0),
+    measured("collisions with the factor less those without",
+             lambda s: 100 * (mean(s["hit with"]) - mean(s["hit without"])), unit="pp", at_most=FEW_MORE),
+    reported("deviation with the factor", "deviation with", of=median, unit="cm"),
+    reported("deviation without", "deviation without", of=median, unit="cm"),
+    measured("robots: deviation is less by (medians)", reduction, "robots deviation with",
+             "robots deviation without", median, unit="%", at_least=20.0),
+    reported("robots: clean with the factor", "robots clean with", unit="%"),
+    reported("robots: clean without", "robots clean without", unit="%"),
+    reported("extra length of the path is less by",
+             lambda s: 100 * (median(s["length without"]) - median(s["length with"])), unit="cm"),
     measure=compare_cosine_factor, figures=cosine_figures, batches=6, seconds=4.0,
 )  # fmt: skip

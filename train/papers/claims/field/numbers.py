@@ -12,10 +12,10 @@ from soccer_env.baselines.sacks_2001.steering import force_of_players
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.records.beliefs import BELIEF, TRACK
-from soccer_env.train.papers.claim import NO_MATCH, PLAYED, Ablation, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import NO_MATCH, PLAYED, Ablation, Batch, Curve, Figure, claim
+from soccer_env.train.papers.claims.field import points
 from soccer_env.train.papers.claims.field.point_world import players
-from soccer_env.train.papers.claims.field.points import FIELD, SCENES, START, TOUCH, is_clean, run_points, starts
-from soccer_env.train.papers.claims.field.robots import ROBOTS, pad_with_nan, run_robots
+from soccer_env.train.papers.claims.field.points import FIELD, ROBOTS, SCENES, START, TOUCH
 from soccer_env.train.papers.staging import LEGGED, kick_off
 from soccer_env.train.papers.values import mean, median, quantile
 from soccer_env.train.papers.verdicts import Samples, exact, measured, reported
@@ -43,15 +43,12 @@ def player_force_on_robot(x: float, y: float, goal_x: float, goal_y: float, reco
     return float(np.hypot(*force(belief[0], tracks, goal_x, goal_y, K, record)))
 
 
-S48 = Claim(
-    id="S48", section="4.3.1",
-    statement="A player beside or behind the dribbler exerts no force.",
-    method=f"Force of {SCENES} players a batch that are 90 to 180 degrees off the goal's direction, 5 to 99 cm away.",
-    criteria=(
-        exact("greatest force, in units of the goal's", lambda s: float(s["force"].max()), at_most=1e-12),
-        reported("players that exert none as seen from the robot's middle, and some as seen from its camera",
-                 lambda s: 100.0 * mean(s["middles"] > 1e-12), unit="%"),
-    ),
+S48 = claim(
+    "S48", "4.3.1", "A player beside or behind the dribbler exerts no force.",
+    f"Force of {SCENES} players a batch that are 90 to 180 degrees off the goal's direction, 5 to 99 cm away.",
+    exact("greatest force, in units of the goal's", lambda s: float(s["force"].max()), at_most=1e-12),
+    reported("players that exert none as seen from the robot's middle, and some as seen from its camera",
+             lambda s: 100.0 * mean(s["middles"] > 1e-12), unit="%"),
     rules=NO_MATCH, measure=forces_aside, batches=1, seconds=0.1,
     without=Ablation("the cosine factor, which is 0 there", partial(forces_aside, cosine_factor=False)),
 )  # fmt: skip
@@ -75,15 +72,12 @@ def unit_distance(batch: Batch, **play: Any) -> Samples:
     return samples | {"distance": samples["middles"] - K["head_camera_ahead"] - K["body_front"]}
 
 
-S49 = Claim(
-    id="S49", section="4.3.2",
-    statement="With k2 = 800, x0 = 1 m a player's force at 45 cm equals the goal's.",
-    method="The distance from camera to surface at which the force of a player straight ahead is 1, by bisection.",
-    criteria=(
-        exact("distance", lambda s: 1000 * float(s["distance"][0]), unit="mm", at_least=440.0, at_most=460.0),
-        reported("between the middles of both then", lambda s: 1000 * float(s["middles"][0]), unit="mm"),
-        reported("between the middles, if that were the distance", lambda s: 1000 * float(s["middle"][0]), unit="mm"),
-    ),
+S49 = claim(
+    "S49", "4.3.2", "With k2 = 800, x0 = 1 m a player's force at 45 cm equals the goal's.",
+    "The distance from camera to surface at which the force of a player straight ahead is 1, by bisection.",
+    exact("distance", lambda s: 1000 * float(s["distance"][0]), unit="mm", at_least=440.0, at_most=460.0),
+    reported("between the middles of both then", lambda s: 1000 * float(s["middles"][0]), unit="mm"),
+    reported("between the middles, if that were the distance", lambda s: 1000 * float(s["middle"][0]), unit="mm"),
     rules=NO_MATCH, measure=unit_distance, batches=1, seconds=0.1,
     without=Ablation("the constants and the exponent 1 of the last version; here the exponent is the theory's 3",
                      partial(unit_distance, exponent=3)),
@@ -101,9 +95,9 @@ def walls_against_players(batch: Batch, **play: Any) -> Samples:
     start, crowd = scenes_along_wall(batch.rng())
     samples: Samples = {"ratio": np.full(SCENES, max(ratios))}
     for name, walls in (("with", True), ("without", False)):
-        runs = run_points(batch.rng(1), start, crowd, {"body": True}, **{"walls": walls, **play})
+        runs = points.run_points(batch.rng(1), start, crowd, {"body": True}, **{"walls": walls, **play})
         at_wall = np.nanmax(np.abs(runs.path[..., 1]), axis=0) > 1.0 - TOUCH / 2.0
-        samples[f"clean {name}"] = (is_clean(runs) & ~at_wall).astype(float)
+        samples[f"clean {name}"] = (points.is_clean(runs) & ~at_wall).astype(float)
         samples[f"at wall {name}"] = at_wall.astype(float)
         samples[f"clearance {name}"] = runs.clearance
     return samples
@@ -112,13 +106,12 @@ def walls_against_players(batch: Batch, **play: Any) -> Samples:
 def walls_with_robots(batch: Batch, **play: Any) -> Samples:
     """Return the samples of `walls_against_players`, and whether robots pass cleanly in the first scenes."""
     start, crowd = scenes_along_wall(batch.rng())
-    robots = {
-        f"robots {name}": pad_with_nan(
-            run_robots(batch, start[:ROBOTS], crowd[:ROBOTS], **{"walls": walls, **play}).is_clean
+    samples = walls_against_players(batch, **play)
+    for name, walls in (("with", True), ("without", False)):
+        samples[f"robots {name}"] = points.pad_with_nan(
+            points.run_robots(batch, start, crowd, walls=walls, **play).is_clean
         )
-        for name, walls in (("with", True), ("without", False))
-    }
-    return walls_against_players(batch, **play) | robots
+    return samples
 
 
 def scenes_along_wall(rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
@@ -140,23 +133,20 @@ def wall_figure(samples: Samples) -> Sequence[Figure]:
     return (Figure("Forces of players and walls", "distance [cm]", "force [goal's pull]", curves, rules=(1.0,)),)
 
 
-S50 = Claim(
-    id="S50", section="4.3, 4.3.2",
-    statement="Walls exert significantly less force than players; whether it is needed is unclear.",
-    method=f"Greatest ratio of a wall's force to that of a player at the same distance; and {SCENES} points a batch "
+S50 = claim(
+    "S50", "4.3, 4.3.2", "Walls exert significantly less force than players; whether it is needed is unclear.",
+    f"Greatest ratio of a wall's force to that of a player at the same distance; and {SCENES} points a batch "
     "that start 15 to 50 cm from a wall and pass a player that stands up to 25 cm farther inside, with the walls' "
     f"force and without: who comes through and keeps {50 * TOUCH:.0f} cm from the wall; the same with {ROBOTS} robots.",
-    criteria=(
-        measured("wall over player at equal distances, greatest", lambda s: float(s["ratio"].max()), below=1.0),
-        reported("clean with the walls' force", "clean with", unit="%"),
-        reported("clean without", "clean without", unit="%"),
-        reported("at the wall with its force", "at wall with", unit="%"),
-        reported("at the wall without", "at wall without", unit="%"),
-        reported("distance kept from the player with it", "clearance with", of=median, unit="cm"),
-        reported("distance kept without", "clearance without", of=median, unit="cm"),
-        reported("robots that pass and touch nobody, with it", "robots with", unit="%"),
-        reported("robots that do so without", "robots without", unit="%"),
-    ),
+    measured("wall over player at equal distances, greatest", lambda s: float(s["ratio"].max()), below=1.0),
+    reported("clean with the walls' force", "clean with", unit="%"),
+    reported("clean without", "clean without", unit="%"),
+    reported("at the wall with its force", "at wall with", unit="%"),
+    reported("at the wall without", "at wall without", unit="%"),
+    reported("distance kept from the player with it", "clearance with", of=median, unit="cm"),
+    reported("distance kept without", "clearance without", of=median, unit="cm"),
+    reported("robots that pass and touch nobody, with it", "robots with", unit="%"),
+    reported("robots that do so without", "robots without", unit="%"),
     measure=walls_with_robots, figures=wall_figure, batches=6, seconds=4.0,
     without=Ablation("the walls' constants 200 and 350 mm; here they are the players'",
                      partial(walls_with_robots, wall_gain=0.8, wall_range=1.0)),
@@ -174,16 +164,16 @@ QUIET = 0.1  # [1] share of repetitions that no other program disturbs, assumed
 def time_decisions(batch: Batch) -> Samples:
     """Time a decision among five other players and a robot's whole frame [us], in 32 repetitions."""
     rng, repetitions = batch.rng(), 32
-    start = starts(rng, 64)
+    start = points.starts(rng, 64)
     crowd = players(np.stack([rng.uniform(-0.8, 1.2, (64, OTHERS)), rng.uniform(-0.9, 0.9, (64, OTHERS))], axis=-1))
-    run_points(rng, start, crowd)
+    points.run_points(rng, start, crowd)
     match = kick_off(batch, matches=4, team="sacks-2001")
     for _ in range(WARM):
         match.step()
     times, frames = [], []
     for _ in range(repetitions):
         begun = perf_counter()
-        steps = run_points(rng, start, crowd).steps.sum()
+        steps = points.run_points(rng, start, crowd).steps.sum()
         times.append(1e6 * (perf_counter() - begun) / steps)
         begun = perf_counter()
         for _ in range(STEPS):
@@ -204,20 +194,17 @@ def planning_time_share(samples: Samples, steps: float = 1.0) -> float:
     return 100.0 * steps * undisturbed_time(samples["time"]) / (each * undisturbed_time(samples["frame"]))
 
 
-S42 = Claim(
-    id="S42", section="4.2",
-    statement="The direction of travel costs few calculations: planning runs in real time.",
-    method=f"32 repetitions a batch of 64 runs of the point simulator with {OTHERS} other players: time of the whole "
+S42 = claim(
+    "S42", "4.2", "The direction of travel costs few calculations: planning runs in real time.",
+    f"32 repetitions a batch of 64 runs of the point simulator with {OTHERS} other players: time of the whole "
     "run over the number of decisions, on one core of the machine that runs this; against the time of a frame of 3 "
     "against 3 over its robots: a robot's sensing, beliefs, plan and body. One decision in half a second.",
-    criteria=(
-        measured("planning's share of a robot's computing", planning_time_share, unit="%", below=5.0),
-        reported("the same if each decision planned the whole way",
-                 lambda s: planning_time_share(s, float(s["way"].mean())), unit="%"),
-        reported("time for a decision, its point's motion included", lambda s: undisturbed_time(s["time"]), unit="us"),
-        reported("time for a robot's whole frame", lambda s: undisturbed_time(s["frame"]), unit="us"),
-        reported("share of the 62.5 ms between two frames", lambda s: undisturbed_time(s["time"]) / 625.0, unit="%"),
-    ),
+    measured("planning's share of a robot's computing", planning_time_share, unit="%", below=5.0),
+    reported("the same if each decision planned the whole way",
+             lambda s: planning_time_share(s, float(s["way"].mean())), unit="%"),
+    reported("time for a decision, its point's motion included", lambda s: undisturbed_time(s["time"]), unit="us"),
+    reported("time for a robot's whole frame", lambda s: undisturbed_time(s["frame"]), unit="us"),
+    reported("share of the 62.5 ms between two frames", lambda s: undisturbed_time(s["time"]) / 625.0, unit="%"),
     rules=PLAYED, measure=time_decisions, batches=4, seconds=1.0,
     ingredients=("the machine, and compiled code: numbers differ from run to run",),
 )  # fmt: skip

@@ -6,20 +6,11 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.papers.claim import NO_MATCH, Ablation, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import NO_MATCH, Ablation, Batch, Figure, claim
+from soccer_env.train.papers.claims.field import points
 from soccer_env.train.papers.claims.field.point_world import players
-from soccer_env.train.papers.claims.field.points import (
-    BLOBS,
-    NO_CUT_OFF,
-    NOISE,
-    SCENES,
-    START,
-    draw_field,
-    gap_ahead,
-    run_points,
-    starts,
-)
-from soccer_env.train.papers.claims.field.robots import ROBOTS, pad_with_nan, run_robots
+from soccer_env.train.papers.claims.field.points import BLOBS, NO_CUT_OFF, NOISE, ROBOTS, SCENES
+from soccer_env.train.papers.plots import plot_shares
 from soccer_env.train.papers.values import mean, median, reduction
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
@@ -37,33 +28,30 @@ def compare_cut_off(batch: Batch) -> Samples:
     "unmatched": without the cut-off and with an unchanged k2, so that all forces are stronger as well.
     """
     rng, samples = batch.rng(), {}
-    start = starts(rng, SCENES, 0.3)
+    start = points.starts(rng, SCENES, 0.3)
     x = rng.uniform(-0.4, 1.2, (SCENES, 3))
     y = rng.uniform(0.3, 0.9, (SCENES, 3)) * rng.choice([-1.0, 1.0], (SCENES, 3))
     crowd = players(np.stack([x, y], axis=-1))
     for seen, world in JITTERS.items():
         for name, play in CUT_OFFS.items():
-            runs = run_points(batch.rng(1), start, crowd, world, **play)
+            runs = points.run_points(batch.rng(1), start, crowd, world, **play)
             samples[f"{seen} {name}"] = np.degrees(np.sqrt(np.nanmean(runs.turns**2, axis=0)))
     return samples
 
 
-S45 = Claim(
-    id="S45", section="4.3.1",
-    statement="A greatest distance keeps false blobs and distant players from disturbing the path.",
-    method=f"{SCENES} points a batch among three players that stand 30 to 90 cm beside the way, ranges with an error "
+S45 = claim(
+    "S45", "4.3.1", "A greatest distance keeps false blobs and distant players from disturbing the path.",
+    f"{SCENES} points a batch among three players that stand 30 to 90 cm beside the way, ranges with an error "
     f"of {100 * NOISE:.0f} %, a false blob in {100 * BLOBS:.0f} % of the decisions; rms change of direction from step "
     "to step with the cut-off at 1 m and without, k2 then such that a force is 1 at the same distance as with it.",
-    criteria=(
-        measured("jitter is less by (means)", reduction, "noise and blobs with", "noise and blobs without", unit="%",
-                 above=0.0),
-        reported("jitter with the cut-off", "noise and blobs with", unit="deg"),
-        reported("jitter without", "noise and blobs without", unit="deg"),
-        reported("less by, noise alone", reduction, "noise with", "noise without", unit="%"),
-        reported("less by, false blobs alone", reduction, "blobs with", "blobs without", unit="%"),
-        reported("less by, against the same k2 without the cut-off", reduction, "noise and blobs with",
-                 "noise and blobs unmatched", unit="%"),
-    ),
+    measured("jitter is less by (means)", reduction, "noise and blobs with", "noise and blobs without", unit="%",
+             above=0.0),
+    reported("jitter with the cut-off", "noise and blobs with", unit="deg"),
+    reported("jitter without", "noise and blobs without", unit="deg"),
+    reported("less by, noise alone", reduction, "noise with", "noise without", unit="%"),
+    reported("less by, false blobs alone", reduction, "blobs with", "blobs without", unit="%"),
+    reported("less by, against the same k2 without the cut-off", reduction, "noise and blobs with",
+             "noise and blobs unmatched", unit="%"),
     rules=NO_MATCH, measure=compare_cut_off, batches=8, seconds=0.8,
     ingredients=("how often blobs are false, and where they seem to be: 0.5 to 2.5 m",),
 )  # fmt: skip
@@ -72,26 +60,26 @@ S45 = Claim(
 def crowds(rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
     """Return starts and one to three standing players anywhere before the goal."""
     place = np.stack([rng.uniform(-0.7, 1.0, (SCENES, 3)), rng.uniform(-0.5, 0.5, (SCENES, 3))], axis=-1)
-    place[np.arange(SCENES)[:, None] % 3 < np.arange(3)] = (0.0, 50.0)  # far off the field: one to three players remain
-    return starts(rng, SCENES, 0.5), players(place)
+    place[np.arange(SCENES)[:, None] % 3 < np.arange(3)] = (
+        0.0,
+        50.0,
+    )  # far off the field: one to three players remain
+    return points.starts(rng, SCENES, 0.5), players(place)
 
 
 def steps_away(batch: Batch, **play: Any) -> Samples:
     """Count each run's steps and its steps away from the goal, and tell which runs arrive (M,)."""
     start, crowd = crowds(batch.rng())
-    runs = run_points(batch.rng(1), start, crowd, {"range_noise": NOISE}, **play)
+    runs = points.run_points(batch.rng(1), start, crowd, {"range_noise": NOISE}, **play)
     return {"steps": runs.steps, "away": runs.retreats, "arrived": runs.arrived.astype(float)}
 
 
-S55 = Claim(
-    id="S55", section="4.3.3",
-    statement="Within 70 degrees of the goal's direction the robot never goes away from it.",
-    method=f"{SCENES} points a batch past one to three standing players anywhere on their way, ranges with an error of "
+S55 = claim(
+    "S55", "4.3.3", "Within 70 degrees of the goal's direction the robot never goes away from it.",
+    f"{SCENES} points a batch past one to three standing players anywhere on their way, ranges with an error of "
     f"{100 * NOISE:.0f} %; steps after which the goal is farther away.",
-    criteria=(
-        measured("steps away from the goal", lambda s: float(s["away"].sum()), at_most=0.0),
-        reported("runs that arrive", "arrived", unit="%"),
-    ),
+    measured("steps away from the goal", lambda s: float(s["away"].sum()), at_most=0.0),
+    reported("runs that arrive", "arrived", unit="%"),
     rules=NO_MATCH, measure=steps_away, batches=8, seconds=0.3,
     without=Ablation("the limit of 70 degrees: a step at a smaller angle shortens the way",
                      partial(steps_away, clamp=False)),
@@ -102,17 +90,17 @@ S55 = Claim(
 def compare_gaps(batch: Batch) -> Samples:
     """Count changes of side (M,) before a gap of about 50 cm, by the limit alone and with the rule that keeps sides."""
     rng, samples = batch.rng(), {}
-    start = starts(rng)
-    crowd = gap_ahead(rng, *GAP, askew=0.0)
-    askew = gap_ahead(rng, *GAP)
-    hard_start, hard_crowd = starts(rng, SCENES, 0.2), gap_with_third_player(rng)
+    start = points.starts(rng)
+    crowd = points.gap_ahead(rng, *GAP, askew=0.0)
+    askew = points.gap_ahead(rng, *GAP)
+    hard_start, hard_crowd = points.starts(rng, SCENES, 0.2), gap_with_third_player(rng)
     for name, keep in (("limit", False), ("rule", True)):
         for seen, world in (("", {}), (" noisy", {"range_noise": NOISE})):
-            runs = run_points(batch.rng(1), start, crowd, world, keep_side=keep)
+            runs = points.run_points(batch.rng(1), start, crowd, world, keep_side=keep)
             samples[name + seen] = runs.flips.astype(float)
-            runs = run_points(batch.rng(1), start, askew, world, keep_side=keep)
+            runs = points.run_points(batch.rng(1), start, askew, world, keep_side=keep)
             samples[f"{name}{seen} askew"] = runs.flips.astype(float)
-        runs = run_points(batch.rng(1), hard_start, hard_crowd, {"range_noise": NOISE}, keep_side=keep)
+        runs = points.run_points(batch.rng(1), hard_start, hard_crowd, {"range_noise": NOISE}, keep_side=keep)
         samples[f"{name} hard"] = runs.flips.astype(float)
     return samples
 
@@ -120,12 +108,12 @@ def compare_gaps(batch: Batch) -> Samples:
 def compare_gaps_with_robots(batch: Batch) -> Samples:
     """Return samples of `compare_gaps`, and robots' changes of side in the first scenes, with the rule and without."""
     rng = batch.rng()
-    start, crowd = starts(rng), gap_ahead(rng, *GAP, askew=0.0)
+    start, crowd = points.starts(rng), points.gap_ahead(rng, *GAP, askew=0.0)
     samples = compare_gaps(batch)
     for name, keep in (("limit", False), ("rule", True)):
-        robots = run_robots(batch, start[:ROBOTS], crowd[:ROBOTS], keep_side=keep)
-        samples[f"robots {name}"] = pad_with_nan(robots.flips)
-        samples[f"clean {name}"] = pad_with_nan(robots.is_clean)
+        robots = points.run_robots(batch, start, crowd, keep_side=keep)
+        samples[f"robots {name}"] = points.pad_with_nan(robots.flips)
+        samples[f"clean {name}"] = points.pad_with_nan(robots.is_clean)
     return samples
 
 
@@ -148,77 +136,63 @@ def cured_share(samples: Samples, without: str, with_rule: str) -> float:
 
 def gap_with_third_player(rng: np.random.Generator) -> np.ndarray:
     """Return three standing players (M, 3): two with a gap of 35 to 70 cm, and a third before or behind the gap."""
-    gap = gap_ahead(rng, *HARD_GAPS)
+    gap = points.gap_ahead(rng, *HARD_GAPS)
     third = np.stack([gap["x"].mean(axis=1) + rng.uniform(-0.4, 0.4, SCENES), rng.uniform(-0.4, 0.4, SCENES)], axis=-1)
     return players(np.concatenate([np.stack([gap["x"], gap["y"]], axis=-1), third[:, None]], axis=1))
 
 
 def gap_figures(samples: Samples) -> Sequence[Figure]:
     """Plot paths before a gap, and the distribution of the number of changes of side."""
-    crowd, start = players([[0.0, 0.25], [0.0, -0.25]]), np.array([[START, 0.01]])
-    kinds: dict[str, dict[str, Any]] = {
+    plays: dict[str, dict[str, Any]] = {
         "no limit": {"clamp": False}, "70 degrees": {"keep_side": False}, "and the side kept": {},
     }  # fmt: skip
-    paths = {
-        name: run_points(np.random.default_rng(0), start, crowd, **play).path[:, 0] for name, play in kinds.items()
-    }
-    names = {"limit": "limit alone", "limit noisy": "limit, noise", "rule": "side kept",
-             "rule noisy": "side kept, noise"}  # fmt: skip
-    count = np.arange(41)
-    curves = tuple(
-        Curve(title, list(count), [100 * mean(samples[name] >= n) for n in count]) for name, title in names.items()
-    )
-    return (
-        draw_field("Before a gap of 50 cm", crowd, paths),
-        Figure("Indecision before a gap of about 50 cm", "changes of side", "runs with as many or more [%]", curves),
-    )
+    changes = plot_shares(
+        "Indecision before a gap of about 50 cm", "changes of side", "runs with as many or more [%]", range(41),
+        {"limit alone": "limit", "limit, noise": "limit noisy", "side kept": "rule", "side kept, noise": "rule noisy"},
+        np.greater_equal,
+    )  # fmt: skip
+    return (points.draw_field("Before a gap of 50 cm", [[0.0, 0.25], [0.0, -0.25]], plays, 0.01), *changes(samples))
 
 
-S56 = Claim(
-    id="S56", section="4.3.3",
-    statement="With the limit of 70 degrees alone the robot sometimes bounces left and right.",
-    method=f"{SCENES} points a batch before two players with a gap of {100 * GAP[0]:.0f} to {100 * GAP[1]:.0f} cm "
+S56 = claim(
+    "S56", "4.3.3", "With the limit of 70 degrees alone the robot sometimes bounces left and right.",
+    f"{SCENES} points a batch before two players with a gap of {100 * GAP[0]:.0f} to {100 * GAP[1]:.0f} cm "
     "between their middles, square to their way and within 5 cm of it, nothing but the 70 degrees limit; changes "
     "between more than 20 degrees left of the goal and as much right of it.",
-    criteria=(
-        measured("changes of side in a run (mean)", "limit", at_least=10.0),
-        reported("changes of side in a run (median)", "limit", of=median),
-        reported("with range noise (mean)", "limit noisy"),
-        reported("runs with 10 or more", lambda s: 100 * mean(s["limit"] >= 10), unit="%"),
-        reported("gap up to 20 degrees askew: in a run (mean)", "limit askew"),
-        reported("gap askew: runs with 10 or more", lambda s: 100 * mean(s["limit askew"] >= 10), unit="%"),
-    ),
+    measured("changes of side in a run (mean)", "limit", at_least=10.0),
+    reported("changes of side in a run (median)", "limit", of=median),
+    reported("with range noise (mean)", "limit noisy"),
+    reported("runs with 10 or more", lambda s: 100 * mean(s["limit"] >= 10), unit="%"),
+    reported("gap up to 20 degrees askew: in a run (mean)", "limit askew"),
+    reported("gap askew: runs with 10 or more", lambda s: 100 * mean(s["limit askew"] >= 10), unit="%"),
     rules=NO_MATCH, measure=compare_gaps, figures=gap_figures, batches=8, seconds=0.8,
     note="About half of these runs bounce, and then 20 to 30 times; a robot that comes more to one side of the gap's "
     "middle passes both players there. In a gap that is askew it hardly ever bounces.",
 )  # fmt: skip
 
-S57 = Claim(
-    id="S57", section="4.3.3",
-    statement="Keeping one's side when pushed back beyond 135 degrees mostly cures the indecision.",
-    method=f"The runs of S56 with ranges that have an error of {100 * NOISE:.0f} %, with the rule and without; and a "
+S57 = claim(
+    "S57", "4.3.3", "Keeping one's side when pushed back beyond 135 degrees mostly cures the indecision.",
+    f"The runs of S56 with ranges that have an error of {100 * NOISE:.0f} %, with the rule and without; and a "
     f"harder set: gaps of {100 * HARD_GAPS[0]:.0f} to {100 * HARD_GAPS[1]:.0f} cm with a third player near them. "
     f"{ROBOTS} robots a batch do the same in the full simulator: the paper speaks of both. A case is a run that "
     f"changes sides {BOUNCES} times or more. The paper: \"this solved the problem of indecision in most cases, but not "
     "all the time\".",
-    criteria=(
-        measured("points: cases of indecision that the rule cures", cured_share, "limit noisy", "rule noisy", unit="%",
-                 above=50.0),
-        measured("robots: cases of indecision that the rule cures", cured_share, "robots limit", "robots rule",
-                 unit="%", above=50.0),
-        measured("points that bounce with the rule", side_change_share, "rule noisy", BOUNCES, unit="%", above=5.0),
-        reported("changes of side without the rule over those with it (means)", side_change_ratio, "", " noisy"),
-        reported("changes of side in a run with the rule (mean)", "rule noisy"),
-        reported("without noise: changes without the rule (mean)", "limit"),
-        reported("without noise: changes with it (mean)", "rule"),
-        reported("gap up to 20 degrees askew: without the rule over with it",
-                 partial(side_change_ratio, seen=" noisy askew")),
-        reported("harder set: without the rule over with it", partial(side_change_ratio, seen=" hard")),
-        reported("harder set: changes with the rule (mean)", "rule hard"),
-        reported("robots: changes without the rule over those with it", side_change_ratio, "robots "),
-        reported("robots: changes with the rule (mean)", "robots rule"),
-        reported("robots that pass and touch nobody, with the rule", "clean rule", unit="%"),
-        reported("robots that do so without the rule", "clean limit", unit="%"),
-    ),
+    measured("points: cases of indecision that the rule cures", cured_share, "limit noisy", "rule noisy", unit="%",
+             above=50.0),
+    measured("robots: cases of indecision that the rule cures", cured_share, "robots limit", "robots rule",
+             unit="%", above=50.0),
+    measured("points that bounce with the rule", side_change_share, "rule noisy", BOUNCES, unit="%", above=5.0),
+    reported("changes of side without the rule over those with it (means)", side_change_ratio, "", " noisy"),
+    reported("changes of side in a run with the rule (mean)", "rule noisy"),
+    reported("without noise: changes without the rule (mean)", "limit"),
+    reported("without noise: changes with it (mean)", "rule"),
+    reported("gap up to 20 degrees askew: without the rule over with it",
+             partial(side_change_ratio, seen=" noisy askew")),
+    reported("harder set: without the rule over with it", partial(side_change_ratio, seen=" hard")),
+    reported("harder set: changes with the rule (mean)", "rule hard"),
+    reported("robots: changes without the rule over those with it", side_change_ratio, "robots "),
+    reported("robots: changes with the rule (mean)", "robots rule"),
+    reported("robots that pass and touch nobody, with the rule", "clean rule", unit="%"),
+    reported("robots that do so without the rule", "clean limit", unit="%"),
     measure=compare_gaps_with_robots, figures=gap_figures, batches=6, seconds=6.0,
 )  # fmt: skip

@@ -79,12 +79,7 @@ class PointRuns:
     @property
     def flips(self) -> np.ndarray:
         """Count how often each path changes between left and right of the goal's direction (M,)."""
-        side = np.where(np.abs(self.off) > SIDE, np.sign(self.off), 0.0)
-        count, last = np.zeros(side.shape[1], int), np.zeros(side.shape[1])
-        for now in side:
-            count += now * last < 0.0
-            last = np.where(now != 0.0, now, last)
-        return count
+        return count_flips(self.off)
 
     @property
     def steps(self) -> np.ndarray:
@@ -117,6 +112,16 @@ class PointRuns:
         way = np.diff(self.path, axis=0)
         turn = np.diff(np.arctan2(way[..., 1], way[..., 0]), axis=0)
         return (turn + np.pi) % (2.0 * np.pi) - np.pi
+
+
+def count_flips(off: np.ndarray) -> np.ndarray:
+    """Count the changes (M,) between more than SIDE left and right of the goal's direction; off (T, M) [rad]."""
+    side = np.where(np.abs(off) > SIDE, np.sign(off), 0.0)
+    count, last = np.zeros(side.shape[1], int), np.zeros(side.shape[1])
+    for now in side:
+        count += now * last < 0.0
+        last = np.where(now != 0.0, now, last)
+    return count
 
 
 @dataclass(frozen=True)

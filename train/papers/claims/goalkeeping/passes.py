@@ -10,10 +10,11 @@ from soccer_env.leagues.constants import constants_of
 from soccer_env.match import Match
 from soccer_env.skills.set_pieces import kick_strength_for
 from soccer_env.teams import make_team
-from soccer_env.train.papers.claim import Batch, Claim
+from soccer_env.train.papers import staging
+from soccer_env.train.papers.claim import Batch, claim
 from soccer_env.train.papers.claims.goalkeeping.shots import SHOT_TEXT, SHOTS, face_shots
 from soccer_env.train.papers.plots import each, plot, plot_bins
-from soccer_env.train.papers.staging import MIDDLE, begin_scene, point_ahead, put, put_ball, stage, still_actions
+from soccer_env.train.papers.staging import MIDDLE
 from soccer_env.train.papers.values import gain, mean, median
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
@@ -34,24 +35,24 @@ BALL_TEXT = (
 
 def receive(batch: Batch, settings: dict[str, Any], league: str = MIDDLE, **more: Any) -> Samples:
     """Roll balls past a field player of heinemann-2006; return which it gets (M,), times [s] and ball speeds [m/s]."""
-    rng, team = batch.rng(), make_team("heinemann-2006", **settings)
-    match = stage(batch, league, matches=BALLS, home=2, controllers={"home": team, "away": "still"}, **more)
+    rng = batch.rng()
+    match = staging.stage_team(batch, "heinemann-2006", settings, league, matches=BALLS, home=2, **more)
     x, y = rng.uniform(-2.0, 1.0, BALLS), rng.uniform(-1.5, 1.5, BALLS)
     from_, away = rng.uniform(-np.pi, np.pi, BALLS), rng.uniform(*FROM, BALLS)
     aside, speed = rng.choice([-1.0, 1.0], BALLS) * rng.uniform(*ASIDE, BALLS), rng.uniform(*SPEEDS, BALLS)
-    put(match, 1, x, y, from_)
+    staging.put(match, 1, x, y, from_)
     ball_x = np.clip(x + away * np.cos(from_), -5.5, 5.5)
     ball_y = np.clip(y + away * np.sin(from_), -3.6, 3.6)
     course = np.arctan2(y - ball_y, x - ball_x) + np.arctan2(aside, away)
-    put_ball(match, ball_x, ball_y)
-    begin_scene(match, placed=True)
+    staging.put_ball(match, ball_x, ball_y)
+    staging.begin_scene(match, placed=True)
     for _ in range(round(LOOK * match.league.control_rate)):
-        put(match, 1, x, y, from_)
-        put_ball(match, ball_x, ball_y)
+        staging.put(match, 1, x, y, from_)
+        staging.put_ball(match, ball_x, ball_y)
         match.rebuild()
         match.step()
-    put(match, 1, x, y, from_)
-    put_ball(match, ball_x, ball_y, speed * np.cos(course), speed * np.sin(course))
+    staging.put(match, 1, x, y, from_)
+    staging.put_ball(match, ball_x, ball_y, speed * np.cos(course), speed * np.sin(course))
     match.rebuild()
     return wait_for_possession(match, 1) | {"speed": speed}
 
@@ -80,23 +81,20 @@ def prefix_names(prefix: str, samples: Samples) -> Samples:
     return {key if key == "speed" else f"{prefix} {key}": values for key, values in samples.items()}
 
 
-H24 = Claim(
-    id="H24", section="1",
-    statement="A pass receiver uses the ball's velocity to intercept it.",
-    method=f"{BALL_TEXT}; with the ball's velocity, and with none in its belief (filter=none), all else the same.",
-    criteria=(
-        measured("more balls are had, of 100", gain, "with got", "without got", above=5.0),
-        reported("with the velocity", "with got", unit="%"),
-        reported("without it", "without got", unit="%"),
-        reported("with it, going to where the ball is (intercepts=False)", "follows got", unit="%"),
-        reported("time with it, of those had", lambda s: median(s["with time"][s["with got"] > 0]), unit="s"),
-        reported("time without it", lambda s: median(s["without time"][s["without got"] > 0]), unit="s"),
-    ),
+H24 = claim(
+    "H24", "1", "A pass receiver uses the ball's velocity to intercept it.",
+    f"{BALL_TEXT}; with the ball's velocity, and with none in its belief (filter=none), all else the same.",
+    measured("more balls are had, of 100", gain, "with got", "without got", above=5.0),
+    reported("with the velocity", "with got", unit="%"),
+    reported("without it", "without got", unit="%"),
+    reported("with it, going to where the ball is (intercepts=False)", "follows got", unit="%"),
+    reported("time with it, of those had", lambda s: median(s["with time"][s["with got"] > 0]), unit="s"),
+    reported("time without it", lambda s: median(s["without time"][s["without got"] > 0]), unit="s"),
     measure=lambda batch: (prefix_names("with", receive(batch, {}))
                            | prefix_names("without", receive(batch, {}, memory={"filter": "none"}))
                            | prefix_names("follows", receive(batch, {"intercepts": False}))),
     figures=plot_bins("Passes received", "speed of the ball [m/s]", "received [%]",
-                      {"with got": "with the ball's velocity", "without got": "without"}, "speed",
+                      {"with the ball's velocity": "with got", "without": "without got"}, "speed",
                       (1.0, 1.5, 2.0, 2.5, 3.0), mean, place_scale=1.0),
     batches=6, seconds=5.0,
 )  # fmt: skip
@@ -111,19 +109,15 @@ def compare_bases(batch: Batch) -> Samples:
     return samples
 
 
-H01 = Claim(
-    id="H01", section="1, 2",
-    statement="Omnidirectional robots of 2.6 m/s replaced Pioneers of 1.6 m/s to stay competitive.",
-    method=f"{BALL_TEXT}; and {SHOTS} {SHOT_TEXT}. The same team on both bases.",
-    criteria=(
-        measured("more balls are had, of 100", gain, "fast got", "old got", above=5.0),
-        measured("fewer goals by far-post shots, of 100", lambda s: 100 * mean(s["old goal"] - s["fast goal"]),
-                 above=5.0),
-        reported("balls had, fast base", "fast got", unit="%"),
-        reported("balls had, old base", "old got", unit="%"),
-        reported("goals, fast base", "fast goal", unit="%"),
-        reported("goals, old base", "old goal", unit="%"),
-    ),
+H01 = claim(
+    "H01", "1, 2", "Omnidirectional robots of 2.6 m/s replaced Pioneers of 1.6 m/s to stay competitive.",
+    f"{BALL_TEXT}; and {SHOTS} {SHOT_TEXT}. The same team on both bases.",
+    measured("more balls are had, of 100", gain, "fast got", "old got", above=5.0),
+    measured("fewer goals by far-post shots, of 100", lambda s: 100 * mean(s["old goal"] - s["fast goal"]), above=5.0),
+    reported("balls had, fast base", "fast got", unit="%"),
+    reported("balls had, old base", "old got", unit="%"),
+    reported("goals, fast base", "fast goal", unit="%"),
+    reported("goals, old base", "old goal", unit="%"),
     measure=compare_bases, batches=4, seconds=9.0,
     note="The old base turns in place and cannot step aside: both differ, as they did.",
 )  # fmt: skip
@@ -135,14 +129,14 @@ def kick_passes(batch: Batch, controlled: bool) -> Samples:
     """Let a robot kick a pass to a mate; return the ball's top speed [m/s] and the passes (M,) that the mate gets."""
     rng, league = batch.rng(), find_league(MIDDLE)
     k = constants_of(league)[0]
-    match = stage(batch, MIDDLE, matches=BALLS, home=3, controllers={"home_2": make_team("heinemann-2006")})
+    match = staging.stage(batch, MIDDLE, matches=BALLS, home=3, controllers={"home_2": make_team("heinemann-2006")})
     far, way = rng.uniform(*FAR, BALLS), rng.uniform(-np.pi, np.pi, BALLS)
     x, y = -0.5 * far * np.cos(way), -0.5 * far * np.sin(way)
-    put(match, 1, x, y, way)
-    put(match, 2, -x, -y, way + np.pi)
-    put_ball(match, *point_ahead(match, 1, league.body.front + league.ball.radius + 0.003, 0.0))
-    begin_scene(match, placed=True)
-    actions = still_actions(match)
+    staging.put(match, 1, x, y, way)
+    staging.put(match, 2, -x, -y, way + np.pi)
+    staging.put_ball(match, *staging.point_ahead(match, 1, league.body.front + league.ball.radius + 0.003, 0.0))
+    staging.begin_scene(match, placed=True)
+    actions = staging.still_actions(match)
     arrival = HeinemannSettings().pass_arrival
     kick = np.array([kick_strength_for(k, one, arrival) for one in far]) if controlled else np.ones(BALLS)
     actions[:, 1, 3] = kick
@@ -150,21 +144,18 @@ def kick_passes(batch: Batch, controlled: bool) -> Samples:
     for _ in range(2):  # a kick needs a ball that was noticed at the kicker in the step before
         match.step(actions)
         top = np.maximum(top, np.hypot(match.balls["vx"], match.balls["vy"]))
-    return wait_for_possession(match, 2, still_actions(match)) | {"top": top}
+    return wait_for_possession(match, 2, staging.still_actions(match)) | {"top": top}
 
 
-H03 = Claim(
-    id="H03", section="2",
-    statement="The kicker reaches 10 m/s, and its strength can be controlled for passes.",
-    method=f"{BALLS} passes a batch over {FAR[0]:g} to {FAR[1]:g} m to a mate that faces the kicker, with the strength "
+H03 = claim(
+    "H03", "2", "The kicker reaches 10 m/s, and its strength can be controlled for passes.",
+    f"{BALLS} passes a batch over {FAR[0]:g} to {FAR[1]:g} m to a mate that faces the kicker, with the strength "
     f"after which the ball arrives at {HeinemannSettings().pass_arrival:g} m/s, and with all of it; had as in H24.",
-    criteria=(
-        measured("more passes are had, of 100", gain, "soft got", "full got", above=20.0),
-        measured("controlled passes had", "soft got", unit="%", above=50.0),
-        reported("fastest ball after a full kick (mean), which was put in", "full top", unit="m/s"),
-        reported("full kicks had", "full got", unit="%"),
-        reported("speed after a controlled kick", "soft top", unit="m/s"),
-    ),
+    measured("more passes are had, of 100", gain, "soft got", "full got", above=20.0),
+    measured("controlled passes had", "soft got", unit="%", above=50.0),
+    reported("fastest ball after a full kick (mean), which was put in", "full top", unit="m/s"),
+    reported("full kicks had", "full got", unit="%"),
+    reported("speed after a controlled kick", "soft top", unit="m/s"),
     measure=lambda batch: (prefix_names("soft", kick_passes(batch, True))
                            | prefix_names("full", kick_passes(batch, False))),
     batches=4, seconds=5.0,
@@ -185,20 +176,16 @@ def compare_cycles(batch: Batch) -> Samples:
     return samples
 
 
-H28 = Claim(
-    id="H28", section="2",
-    statement="A cycle of 20 ms makes the robot extremely reactive.",
-    method=f"{SHOTS} {SHOT_TEXT}; {BALL_TEXT}. Decisions every 20, 40 and 100 ms, the camera and the delay as they "
-    "are.",
-    criteria=(
-        measured("more saves at 20 than at 100 ms, of 100", gain, "saved 0.02", "saved 0.1", above=0.0),
-        measured("more balls had at 20 than at 100 ms, of 100", gain, "had 0.02", "had 0.1", above=0.0),
-        measured("saves at 40 ms above 100 ms, of 100", gain, "saved 0.04", "saved 0.1", at_least=-5.0),
-        measured("saves at 20 ms above 40 ms, of 100", gain, "saved 0.02", "saved 0.04", at_least=-5.0),
-        reported("balls had at 20 ms above 40 ms, of 100", gain, "had 0.02", "had 0.04"),
-        reported("saves at 20 ms", "saved 0.02", unit="%"),
-        reported("balls had at 20 ms", "had 0.02", unit="%"),
-    ),
+H28 = claim(
+    "H28", "2", "A cycle of 20 ms makes the robot extremely reactive.",
+    f"{SHOTS} {SHOT_TEXT}; {BALL_TEXT}. Decisions every 20, 40 and 100 ms, the camera and the delay as they are.",
+    measured("more saves at 20 than at 100 ms, of 100", gain, "saved 0.02", "saved 0.1", above=0.0),
+    measured("more balls had at 20 than at 100 ms, of 100", gain, "had 0.02", "had 0.1", above=0.0),
+    measured("saves at 40 ms above 100 ms, of 100", gain, "saved 0.04", "saved 0.1", at_least=-5.0),
+    measured("saves at 20 ms above 40 ms, of 100", gain, "saved 0.02", "saved 0.04", at_least=-5.0),
+    reported("balls had at 20 ms above 40 ms, of 100", gain, "had 0.02", "had 0.04"),
+    reported("saves at 20 ms", "saved 0.02", unit="%"),
+    reported("balls had at 20 ms", "had 0.02", unit="%"),
     measure=compare_cycles,
     figures=plot("What a shorter cycle is worth", "cycle [ms]", "share [%]", [1000.0 * cycle for cycle in CYCLES],
                  {text: each(CYCLES, lambda s, name, cycle: 100.0 * mean(s[f"{name} {cycle:g}"]), name)

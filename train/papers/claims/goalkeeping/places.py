@@ -13,7 +13,7 @@ from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.skills.sight import SIGHT
-from soccer_env.train.papers.claim import NO_MATCH, Ablation, Batch, Claim
+from soccer_env.train.papers.claim import NO_MATCH, Ablation, Batch, claim
 from soccer_env.train.papers.staging import MIDDLE
 from soccer_env.train.papers.values import mean, median
 from soccer_env.train.papers.verdicts import Samples, measured, reported
@@ -75,20 +75,17 @@ def open_angle_gains(samples: Samples) -> np.ndarray:
     return np.asarray(off.min(axis=0) - samples["on"])
 
 
-H17 = Claim(
-    id="H17", section="4",
-    statement="On the line d through the ball and the goal's middle a goalkeeper minimises the open angles.",
-    method=f"{SCENES} still balls a batch, {BALLS[0]:g} to {BALLS[1]:g} m from the goal and up to {ANGLES[1]:g} rad "
+H17 = claim(
+    "H17", "4", "On the line d through the ball and the goal's middle a goalkeeper minimises the open angles.",
+    f"{SCENES} still balls a batch, {BALLS[0]:g} to {BALLS[1]:g} m from the goal and up to {ANGLES[1]:g} rad "
     "off its middle: the angle beside the passive keeper, and beside one 10 to 50 cm off along its half circle.",
-    criteria=(
-        measured("balls to which d is best, to 0.1 degrees", lambda s: 100 * mean(open_angle_gains(s) > -0.1), unit="%",
-                 at_least=95.0),
-        measured("it is better than 50 cm off by (mean)",
-                 lambda s: mean(np.minimum(s["off 0.5"], s["off -0.5"]) - s["on"]), unit="deg", above=1.0),
-        reported("open angle on d", "on", unit="deg"),
-        reported("open angle at the best of these places", lambda s: mean(s["on"] + np.minimum(open_angle_gains(s), 0)),
-                 unit="deg"),
-    ),
+    measured("balls to which d is best, to 0.1 degrees", lambda s: 100 * mean(open_angle_gains(s) > -0.1), unit="%",
+             at_least=95.0),
+    measured("it is better than 50 cm off by (mean)",
+             lambda s: mean(np.minimum(s["off 0.5"], s["off -0.5"]) - s["on"]), unit="deg", above=1.0),
+    reported("open angle on d", "on", unit="deg"),
+    reported("open angle at the best of these places", lambda s: mean(s["on"] + np.minimum(open_angle_gains(s), 0)),
+             unit="deg"),
     rules=NO_MATCH, measure=compare_open_angles, batches=4, seconds=0.2,
     ingredients=("the keeper as a disc of its body's radius",),
 )  # fmt: skip
@@ -121,18 +118,15 @@ def interception_distances(batch: Batch, along_line: bool = False) -> Samples:
     }
 
 
-H21 = Claim(
-    id="H21", section="4",
-    statement="Moving perpendicular into the predicted trajectory is a very short way.",
-    method=f"{SCENES} shots a batch from 3 to 5 m at passive keepers: way to the foot of the perpendicular, and to "
+H21 = claim(
+    "H21", "4", "Moving perpendicular into the predicted trajectory is a very short way.",
+    f"{SCENES} shots a batch from 3 to 5 m at passive keepers: way to the foot of the perpendicular, and to "
     "where the trajectory crosses the keeper's line.",
-    criteria=(
-        measured("one way over the other (median)", lambda s: median(s["perpendicular"] / s["crossing"]), at_most=0.7),
-        measured("shots to which the perpendicular is the shorter",
-                 lambda s: 100 * mean(s["perpendicular"] <= s["crossing"] + 1e-9), unit="%", at_least=99.0),
-        reported("perpendicular way (mean)", "perpendicular", unit="cm"),
-        reported("way to the crossing (mean)", "crossing", unit="cm"),
-    ),
+    measured("one way over the other (median)", lambda s: median(s["perpendicular"] / s["crossing"]), at_most=0.7),
+    measured("shots to which the perpendicular is the shorter",
+             lambda s: 100 * mean(s["perpendicular"] <= s["crossing"] + 1e-9), unit="%", at_least=99.0),
+    reported("perpendicular way (mean)", "perpendicular", unit="cm"),
+    reported("way to the crossing (mean)", "crossing", unit="cm"),
     rules=NO_MATCH, measure=interception_distances, batches=4, seconds=0.2,
     without=Ablation("the perpendicular: here the keeper moves along its line to where the ball will cross it",
                      partial(interception_distances, along_line=True)),

@@ -6,7 +6,7 @@ from functools import lru_cache
 from math import inf
 from typing import Any
 
-from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import Batch, Curve, Figure, claim
 from soccer_env.train.papers.claims.goalkeeping.shots import FEWER, SHOT_TEXT, SHOTS, SLOWER, SPEEDS, face_shots
 from soccer_env.train.papers.plots import each, plot, plot_bins, plots
 from soccer_env.train.papers.values import mean, ratio
@@ -82,7 +82,7 @@ stance_figures = plots(
     ),
     plot_bins(
         "Goals on the goal line", "speed at the kick [m/s]", "goals [%]",
-        {f"line {keeper}": f"{title}, far post" for keeper, title in TITLES.items()}, "speed", BINS, mean,
+        {f"{title}, far post": f"line {keeper}" for keeper, title in TITLES.items()}, "speed", BINS, mean,
         place_scale=1.0, rules=(50.0,), rule="half of them",
     ),
 )  # fmt: skip
@@ -97,83 +97,68 @@ def by_radius(text: str, value: Any, *arguments: Any, unit: str = "%") -> tuple[
     )  # fmt: skip
 
 
-H18 = Claim(
-    id="H18", section="4",
-    statement="On the line d, with its delay, a goalkeeper concedes most shots at the farther post.",
-    method=f"{STANCE_TEXT}.",
-    criteria=(
-        measured("goals, passive keeper on the goal line", "line passive", unit="%", at_least=50.0),
-        reported(f"of shots up to {SLOWER:g} m/s", conceded_share, "line passive", SLOWER, unit="%"),
-        *by_radius("goals", conceded_share, "{} passive"),
-        reported("at the nearer post", "near passive", unit="%"),
-    ),
+H18 = claim(
+    "H18", "4", "On the line d, with its delay, a goalkeeper concedes most shots at the farther post.",
+    f"{STANCE_TEXT}.",
+    measured("goals, passive keeper on the goal line", "line passive", unit="%", at_least=50.0),
+    reported(f"of shots up to {SLOWER:g} m/s", conceded_share, "line passive", SLOWER, unit="%"),
+    *by_radius("goals", conceded_share, "{} passive"),
+    reported("at the nearer post", "near passive", unit="%"),
     measure=compare_stances, condition="on the goal line", figures=stance_figures, batches=4, seconds=4.0,
     ingredients=INGREDIENTS,
     note=f"{NOTE} A kicked ball slides first and rolls on at 0.6 of its speed; shots in the paper's words are not.",
 )  # fmt: skip
 
-H19 = Claim(
-    id="H19", section="4",
-    statement="Even with its delay the active goalkeeper has a high chance to intercept the ball.",
-    method=f"{STANCE_TEXT}.",
-    criteria=(
-        measured(f"shots saved, {SPEEDS[0]:g} to {SPEEDS[1]:g} m/s, goal line", saved_share, "line active", unit="%",
-                 at_least=80.0),
-        reported(f"of those up to {SLOWER:g} m/s", saved_share, "line active", SLOWER, unit="%"),
-        reported("with the Kalman filter, goal line", saved_share, "line kalman", unit="%"),
-        *by_radius("saved", saved_share, "{} active"),
-        *by_radius("saved with the Kalman filter", saved_share, "{} kalman"),
-        reported("at the nearer post", saved_share, "near active", unit="%"),
-    ),
+H19 = claim(
+    "H19", "4", "Even with its delay the active goalkeeper has a high chance to intercept the ball.",
+    f"{STANCE_TEXT}.",
+    measured(f"shots saved, {SPEEDS[0]:g} to {SPEEDS[1]:g} m/s, goal line", saved_share, "line active", unit="%",
+             at_least=80.0),
+    reported(f"of those up to {SLOWER:g} m/s", saved_share, "line active", SLOWER, unit="%"),
+    reported("with the Kalman filter, goal line", saved_share, "line kalman", unit="%"),
+    *by_radius("saved", saved_share, "{} active"),
+    *by_radius("saved with the Kalman filter", saved_share, "{} kalman"),
+    reported("at the nearer post", saved_share, "near active", unit="%"),
     measure=compare_stances, condition="on the goal line, with a fit over five frames", figures=stance_figures,
     batches=8, seconds=4.0,
     ingredients=INGREDIENTS,
     note=NOTE,
 )  # fmt: skip
 
-H20 = Claim(
-    id="H20", section="4",
-    statement="Moving into the predicted trajectory drastically reduces goals by shots at the farther post.",
-    method=f"{STANCE_TEXT}.",
-    criteria=(
-        measured("active keeper's goals over the passive one's, goal line", conceded_ratio, "line", at_most=0.5),
-        measured(f"the same up to {SLOWER:g} m/s", conceded_ratio, "line", SLOWER, at_most=0.2),
-        reported("the same with the Kalman filter", lambda s: conceded_ratio(s, "line", keeper="kalman")),
-        *by_radius("active over passive", conceded_ratio, "{}", unit=""),
-        reported("goals, active", "line active", unit="%"),
-        reported("goals, passive", "line passive", unit="%"),
-    ),
+H20 = claim(
+    "H20", "4", "Moving into the predicted trajectory drastically reduces goals by shots at the farther post.",
+    f"{STANCE_TEXT}.",
+    measured("active keeper's goals over the passive one's, goal line", conceded_ratio, "line", at_most=0.5),
+    measured(f"the same up to {SLOWER:g} m/s", conceded_ratio, "line", SLOWER, at_most=0.2),
+    reported("the same with the Kalman filter", lambda s: conceded_ratio(s, "line", keeper="kalman")),
+    *by_radius("active over passive", conceded_ratio, "{}", unit=""),
+    reported("goals, active", "line active", unit="%"),
+    reported("goals, passive", "line passive", unit="%"),
     measure=compare_stances, condition="on the goal line, with a fit over five frames", figures=stance_figures,
     batches=6, seconds=4.0,
     ingredients=INGREDIENTS,
     note=NOTE,
 )  # fmt: skip
 
-H23 = Claim(
-    id="H23", section="4",
-    statement="The passive goalkeeper is too static until the ball is passing it.",
-    method=f"{STANCE_TEXT}; how far the keeper has moved when the ball is past it, saved or in.",
-    criteria=(
-        measured("active keeper's way over the passive one's (means)", ratio, "line active way", "line passive way",
-                 above=2.0),
-        *by_radius("the same", ratio, "{} active way", "{} passive way", unit=""),
-        reported("passive keeper's way", "line passive way", unit="cm"),
-        reported("active keeper's way", "line active way", unit="cm"),
-    ),
+H23 = claim(
+    "H23", "4", "The passive goalkeeper is too static until the ball is passing it.",
+    f"{STANCE_TEXT}; how far the keeper has moved when the ball is past it, saved or in.",
+    measured("active keeper's way over the passive one's (means)", ratio, "line active way", "line passive way",
+             above=2.0),
+    *by_radius("the same", ratio, "{} active way", "{} passive way", unit=""),
+    reported("passive keeper's way", "line passive way", unit="cm"),
+    reported("active keeper's way", "line active way", unit="cm"),
     measure=compare_stances, condition="on the goal line", figures=stance_figures, batches=6, seconds=4.0,
     ingredients=INGREDIENTS,
     note=NOTE,
 )  # fmt: skip
 
-H30 = Claim(
-    id="H30", section="4",
-    statement="Many goalkeepers have a fairly good defensive behaviour on the goal line or a half circle.",
-    method=f'{STANCE_TEXT}; passive keepers\' saves. The paper gives no measure of "fairly good".',
-    criteria=(
-        reported("saved at the nearer post, goal line", saved_share, "near passive", unit="%"),
-        reported("saved at the farther post, goal line", saved_share, "line passive", unit="%"),
-        *by_radius("saved at the farther post", saved_share, "{} passive"),
-    ),
+H30 = claim(
+    "H30", "4", "Many goalkeepers have a fairly good defensive behaviour on the goal line or a half circle.",
+    f'{STANCE_TEXT}; passive keepers\' saves. The paper gives no measure of "fairly good".',
+    reported("saved at the nearer post, goal line", saved_share, "near passive", unit="%"),
+    reported("saved at the farther post, goal line", saved_share, "line passive", unit="%"),
+    *by_radius("saved at the farther post", saved_share, "{} passive"),
     measure=compare_stances, figures=stance_figures, batches=2, seconds=4.0,
     ingredients=INGREDIENTS,
 )  # fmt: skip
@@ -212,20 +197,17 @@ def prevented_goals_figure(samples: Samples) -> Sequence[Figure]:
     return (Figure("What the active keeper spares", "error of the believed ball [cm]", "goals [%]", curves),)
 
 
-H22 = Claim(
-    id="H22", section="4",
-    statement="The active goalkeeper needs the ball's velocity from good tracking.",
-    method=f"{FEWER} {SHOT_TEXT}: the farther post, both keepers on the goal line, blobs displaced by a noise of 0.7 "
+H22 = claim(
+    "H22", "4", "The active goalkeeper needs the ball's velocity from good tracking.",
+    f"{FEWER} {SHOT_TEXT}: the farther post, both keepers on the goal line, blobs displaced by a noise of 0.7 "
     "px (the sensor's own) to 21 px, velocities by the Kalman filter and by a fit over five frames.",
-    criteria=(
-        measured("goals spared at the sensor's own noise", prevented_goals, "fit", "own", unit="%", above=10.0),
-        measured("goals spared at 30 times the noise, fit over five frames", prevented_goals, "fit", "thirtyfold",
-                 unit="%", at_most=5.0),
-        reported("goals spared at 10 times the noise", prevented_goals, "fit", "tenfold", unit="%"),
-        reported("at 30 times, Kalman filter", prevented_goals, "kalman", "thirtyfold", unit="%"),
-        reported("error of the ball at 10 times", "fit tenfold error", unit="cm"),
-        reported("error of the ball at 30 times", "fit thirtyfold error", unit="cm"),
-    ),
+    measured("goals spared at the sensor's own noise", prevented_goals, "fit", "own", unit="%", above=10.0),
+    measured("goals spared at 30 times the noise, fit over five frames", prevented_goals, "fit", "thirtyfold",
+             unit="%", at_most=5.0),
+    reported("goals spared at 10 times the noise", prevented_goals, "fit", "tenfold", unit="%"),
+    reported("at 30 times, Kalman filter", prevented_goals, "kalman", "thirtyfold", unit="%"),
+    reported("error of the ball at 10 times", "fit tenfold error", unit="cm"),
+    reported("error of the ball at 30 times", "fit thirtyfold error", unit="cm"),
     measure=compare_camera_noise, condition="with a fit over five frames", figures=prevented_goals_figure, batches=5,
     seconds=10.5,
     ingredients=INGREDIENTS,

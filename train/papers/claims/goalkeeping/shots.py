@@ -6,9 +6,8 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.teams import make_team
 from soccer_env.train.papers.claim import Batch
-from soccer_env.train.papers.staging import MIDDLE, begin_scene, put, put_ball, stage
+from soccer_env.train.papers.staging import MIDDLE, begin_scene, put, put_ball, stage_team
 
 SHOTS = 48  # of a batch
 LOOK, SECONDS = 1.0, 3.0  # [s] of looking at the ball before it is kicked, and longest of a shot
@@ -41,9 +40,7 @@ def face_shots(
     **more: Any,
 ) -> ShotOutcomes:  # fmt: skip
     """Kick shots at a goalkeeper of heinemann-2006 with `settings`, return outcomes; `more`: options of the match."""
-    rng = batch.rng()
-    team = make_team("heinemann-2006", **settings)
-    match = stage(batch, league, matches=shots, home=2, controllers={"home": team, "away": "still"}, **more)
+    rng, match = batch.rng(), stage_team(batch, "heinemann-2006", settings, league, matches=shots, home=2, **more)
     pitch, ball = match.league.pitch, match.league.ball
     goal, side = -pitch.length / 2, rng.choice([-1.0, 1.0], shots)
     away, angle = rng.uniform(*FROM, shots), side * rng.uniform(*ANGLES, shots)

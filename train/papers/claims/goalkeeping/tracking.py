@@ -6,7 +6,7 @@ import numpy as np
 
 from soccer_env.match import Match
 from soccer_env.scenes import find_scene
-from soccer_env.train.papers.claim import PLAYED, Batch, Claim
+from soccer_env.train.papers.claim import PLAYED, Batch, claim
 from soccer_env.train.papers.claims.goalkeeping.saves import FIT
 from soccer_env.train.papers.staging import MIDDLE, make_matches
 from soccer_env.train.papers.values import mean, median
@@ -74,20 +74,17 @@ def watch_velocities(batch: Batch) -> Samples:
     return samples
 
 
-H29 = Claim(
-    id="H29", section="1",
-    statement="Robust tracking gives an accurate model of the environment, with the velocities of the objects.",
-    method=f"{MATCHES} matches a batch of 5 v 5 against the chaser, {SECONDS:g} s each, by sensors and particles: "
+H29 = claim(
+    "H29", "1", "Robust tracking gives an accurate model of the environment, with the velocities of the objects.",
+    f"{MATCHES} matches a batch of 5 v 5 against the chaser, {SECONDS:g} s each, by sensors and particles: "
     f"error of the believed velocity of ball and opponents that move at {MOVES:g} m/s and more and were seen within "
     f"{SEEN:g} s, over their speed (median). \"Accurate\" is read as a third; the paper gives no number.",
-    criteria=(
-        measured("ball", "ball", of=median, unit="%", at_most=THIRD),
-        measured("opponents", "robots", of=median, unit="%", at_most=THIRD),
-        reported("balls faster than robots", "kicked", of=median, unit="%"),
-        reported("ball, with a fit over five frames", "fit ball", of=median, unit="%"),
-        reported("balls faster than robots, with that fit", "fit kicked", of=median, unit="%"),
-        reported("opponents, with that fit", "fit robots", of=median, unit="%"),
-    ),
+    measured("ball", "ball", of=median, unit="%", at_most=THIRD),
+    measured("opponents", "robots", of=median, unit="%", at_most=THIRD),
+    reported("balls faster than robots", "kicked", of=median, unit="%"),
+    reported("ball, with a fit over five frames", "fit ball", of=median, unit="%"),
+    reported("balls faster than robots, with that fit", "fit kicked", of=median, unit="%"),
+    reported("opponents, with that fit", "fit robots", of=median, unit="%"),
     rules=PLAYED, measure=watch_velocities, batches=4, seconds=3.0,
     ingredients=("memory.ball_agility, player_agility: leagues/omni_sensors.py",),
 )  # fmt: skip
@@ -128,20 +125,17 @@ def measure_challenge(batch: Batch) -> Samples:
     return samples
 
 
-H25 = Claim(
-    id="H25", section="1",
-    statement="The code won the challenge of 2003: round static obstacles, and with an uncoloured ball.",
-    method=f"{RUNS} runs a batch of the drill {CHALLENGE}, past four still obstacles (dribbles_round=True), by "
+H25 = claim(
+    "H25", "1", "The code won the challenge of 2003: round static obstacles, and with an uncoloured ball.",
+    f"{RUNS} runs a batch of the drill {CHALLENGE}, past four still obstacles (dribbles_round=True), by "
     "sensors, with a coloured ball and with one that is found by its shape: past all of them with the ball, touching "
     "none. To win is read as most runs.",
-    criteria=(
-        measured("past without a touch", "coloured clean", unit="%", above=50.0),
-        measured("uncoloured ball: past", "plain past", unit="%", above=50.0),
-        reported("past, touched or not", "coloured past", unit="%"),
-        reported("uncoloured ball: past without a touch", "plain clean", unit="%"),
-        reported("past without a touch, ideal senses", "ideal clean", unit="%"),
-        reported("difference by the ball, of 100 runs", lambda s: 100 * mean(s["coloured past"] - s["plain past"])),
-    ),
+    measured("past without a touch", "coloured clean", unit="%", above=50.0),
+    measured("uncoloured ball: past", "plain past", unit="%", above=50.0),
+    reported("past, touched or not", "coloured past", unit="%"),
+    reported("uncoloured ball: past without a touch", "plain clean", unit="%"),
+    reported("past without a touch, ideal senses", "ideal clean", unit="%"),
+    reported("difference by the ball, of 100 runs", lambda s: 100 * mean(s["coloured past"] - s["plain past"])),
     measure=measure_challenge, batches=4, seconds=2.0,
     ingredients=("dribbles_round, which the team leaves off in matches", "the drill's places"),
 )  # fmt: skip

@@ -12,22 +12,19 @@ from typing import Any
 import numpy as np
 
 from soccer_env.baselines.weigel_2001.planner import Travel
-from soccer_env.train.papers.claim import NO_MATCH, STAGED, Arrows, Batch, Claim, Curve, Figure
-from soccer_env.train.papers.claims.planning.drives import DRIVE_TEXT, DRIVES, KINDS, drive_with_both_planners
+from soccer_env.train.papers.claim import NO_MATCH, STAGED, Arrows, Batch, Curve, Figure, claim
+from soccer_env.train.papers.claims.planning import runs
 from soccer_env.train.papers.claims.planning.runs import (
     CANONICAL,
     CROSSERS,
     CROSSING,
+    DRIVE_TEXT,
+    DRIVES,
+    KINDS,
     PLANNERS,
     SLOW,
     SPEED,
     WAY,
-    plan,
-    scenes_of,
-    side_changes,
-    slow_traffic,
-    travel,
-    travel_results,
 )
 from soccer_env.train.papers.values import mean, quantile, ratio
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
@@ -53,9 +50,9 @@ def travel_with_both_planners(scenes: Sequence[Any]) -> Samples:
     """Return `travel_results` of both planners' travels, how often plans change sides, and how far ways stray [m]."""
     samples: Samples = {}
     for name, changes in PLANNERS.items():
-        travels = [travel(scene, **changes) for scene in scenes]
-        samples |= travel_results(travels, name)
-        samples[f"{name} sides"] = np.array([side_changes(one) for one in travels], float)
+        travels = [runs.travel(scene, **changes) for scene in scenes]
+        samples |= runs.travel_results(travels, name)
+        samples[f"{name} sides"] = np.array([runs.side_changes(one) for one in travels], float)
         samples[f"{name} strays"] = np.array([distance_from_first_plan(one) for one in travels])
     return samples
 
@@ -74,15 +71,15 @@ def measure_crossings(batch: Batch) -> Samples:
 def _measure_cached(batch: Batch) -> Samples:
     """Compute `measure_crossings` for a batch that serves as the key of a cache: H08 to H11 share it."""
     count = DRIVES * len(KINDS)
-    scenes = scenes_of(batch, CROSSING, count)
+    scenes = runs.scenes_of(batch, CROSSING, count)
     point = travel_with_both_planners(scenes)
-    point |= {f"{name} plan": np.array([plan(scene, **changes).clearance() for scene in scenes])
+    point |= {f"{name} plan": np.array([runs.plan(scene, **changes).clearance() for scene in scenes])
               for name, changes in PLANNERS.items()}  # fmt: skip
     figure = {f"{scene} {name}": np.full(count, values[i]) for name, values in canonical_crossings().items()
               for i, scene in enumerate(CANONICAL)}  # fmt: skip
     named = {"point": point, "figure": figure}
     shared = {f"{word} {name}": values for word, found in named.items() for name, values in found.items()}
-    return drive_with_both_planners(batch) | shared
+    return runs.drive_with_both_planners(batch) | shared
 
 
 def distance_from_first_plan(one: Travel) -> float:
@@ -125,10 +122,10 @@ def excess_percent(samples: Samples, name: str) -> float:
 
 def slow_travels(batch: Batch) -> Samples:
     """Return the results of both planners' travels through slow traffic (M,)."""
-    scenes = scenes_of(batch, slow_traffic, TRAFFIC)
+    scenes = runs.scenes_of(batch, runs.slow_traffic, TRAFFIC)
     samples: Samples = {"one": np.ones(TRAFFIC)}
     for name, changes in PLANNERS.items():
-        samples |= travel_results([travel(scene, **changes) for scene in scenes], name)
+        samples |= runs.travel_results([runs.travel(scene, **changes) for scene in scenes], name)
     return samples
 
 
@@ -136,7 +133,7 @@ def snapshots(samples: Samples) -> Sequence[Figure]:
     """Plot the paper's figure: planned and travelled paths of both planners after 1, 30 and 60 cycles, scene a."""
     figures = []
     for name, text in {"old": "Conventional planner", "new": "Time-variant planner"}.items():
-        one = travel(CANONICAL["a"], **PLANNERS[name])
+        one = runs.travel(CANONICAL["a"], **PLANNERS[name])
         figures += [snapshot(one, cycle, f"{text}, t = {cycle}") for cycle in CYCLES]
     return tuple(figures)
 
@@ -165,105 +162,91 @@ def gap_figure(samples: Samples) -> Sequence[Figure]:
     )  # fmt: skip
 
 
-H07 = Claim(
-    id="H07", section="3",
-    statement="Planned anew constantly, the conventional planner's paths are efficient and smooth for slow obstacles.",
-    method=f"{TRAFFIC} points a batch drive {WAY:g} m past four obstacles at up to {SLOW:g} m/s that leave the target "
+H07 = claim(
+    "H07", "3",
+    "Planned anew constantly, the conventional planner's paths are efficient and smooth for slow obstacles.",
+    f"{TRAFFIC} points a batch drive {WAY:g} m past four obstacles at up to {SLOW:g} m/s that leave the target "
     "free, by either planner.",
-    criteria=(
-        measured("the conventional planner's way is longer by", excess_percent, "length", unit="%", at_most=5.0),
-        measured("it turns by more", excess_percent, "turn", unit="%", at_most=10.0),
-        counted("travels of the conventional planner with a collision", "old hit", "one", at_most=1.0),
-        reported("it takes longer by", excess_percent, "time", unit="%"),
-        reported("travels of the time-variant one with a collision", "new hit", unit="%"),
-        reported("conventional: way over the straight line", lambda s: mean(s["old length"]) / WAY),
-    ),
+    measured("the conventional planner's way is longer by", excess_percent, "length", unit="%", at_most=5.0),
+    measured("it turns by more", excess_percent, "turn", unit="%", at_most=10.0),
+    counted("travels of the conventional planner with a collision", "old hit", "one", at_most=1.0),
+    reported("it takes longer by", excess_percent, "time", unit="%"),
+    reported("travels of the time-variant one with a collision", "new hit", unit="%"),
+    reported("conventional: way over the straight line", lambda s: mean(s["old length"]) / WAY),
     rules=NO_MATCH, measure=slow_travels, batches=8, seconds=2.0,
     ingredients=ASSUMED,
 )  # fmt: skip
 
-H08 = Claim(
-    id="H08", section="3, figure 1",
-    statement="Before a crossing obstacle the conventional planner nearly collides, then drives away from the target.",
-    method=f"{DRIVE_TEXT}; crossings with a gap below {100 * NEAR:.0f} cm between surfaces and more than {AWAY} cycles "
+H08 = claim(
+    "H08", "3, figure 1",
+    "Before a crossing obstacle the conventional planner nearly collides, then drives away from the target.",
+    f"{DRIVE_TEXT}; crossings with a gap below {100 * NEAR:.0f} cm between surfaces and more than {AWAY} cycles "
     f"away from the target. \"Many situations\" are read as {MANY:g} %. Beside it the figure's scene, of points, and "
     f"{POINT_TEXT}.",
-    criteria=(
-        measured("drives that nearly collide and drive away", forced_away, "old", unit="%", at_least=MANY),
-        measured("less by the time-variant planner", lambda s: forced_away(s, "old") - forced_away(s, "new"), unit="pp",
-                 above=0.0),
-        reported("cycles away in a crossing (mean)", lambda s: mean(of_kind(s, "old away", "crossing"))),
-        reported("points in random crossings: nearly collide and drive away",
-                 lambda s: 100 * mean((s["point old gap"] < NEAR) & (s["point old away"] > AWAY)), unit="%"),
-        reported("the figure's scenes (chosen): greater of both gaps", of_figure, "old gap", unit="m"),
-        reported("the figure's scenes (chosen): fewer cycles away", of_figure, "old away", min),
-    ),
+    measured("drives that nearly collide and drive away", forced_away, "old", unit="%", at_least=MANY),
+    measured("less by the time-variant planner", lambda s: forced_away(s, "old") - forced_away(s, "new"), unit="pp",
+             above=0.0),
+    reported("cycles away in a crossing (mean)", lambda s: mean(of_kind(s, "old away", "crossing"))),
+    reported("points in random crossings: nearly collide and drive away",
+             lambda s: 100 * mean((s["point old gap"] < NEAR) & (s["point old away"] > AWAY)), unit="%"),
+    reported("the figure's scenes (chosen): greater of both gaps", of_figure, "old gap", unit="m"),
+    reported("the figure's scenes (chosen): fewer cycles away", of_figure, "old away", min),
     measure=measure_crossings, figures=snapshots, batches=6, seconds=4.0,
     ingredients=ASSUMED,
     note=f"{LOOKED_AT} The figure's scenes were chosen because a sketch showed the paper's picture there: by "
     "construction.",
 )  # fmt: skip
 
-H09 = Claim(
-    id="H09", section="3",
-    statement="Time-variant planning avoids the obstacles' predicted trajectories.",
-    method=f"Plans: {POINT_TEXT}: the first plan against the obstacle's predicted way. On real bases: {DRIVE_TEXT}; "
+H09 = claim(
+    "H09", "3", "Time-variant planning avoids the obstacles' predicted trajectories.",
+    f"Plans: {POINT_TEXT}: the first plan against the obstacle's predicted way. On real bases: {DRIVE_TEXT}; "
     "all three scenes together.",
-    criteria=(
-        measured("plans that run into a predicted trajectory", lambda s: 100 * mean(s["point new plan"] < 0.0),
-                 unit="%", at_most=5.0),
-        measured("drives with a touch, over the conventional planner's", ratio, "new hit", "old hit", at_most=0.5),
-        reported("plans of the conventional planner that do", lambda s: 100 * mean(s["point old plan"] < 0.0),
-                 unit="%"),
-        reported("drives with a touch", "new hit", unit="%"),
-        reported(f"drives with a gap of {100 * CLEAR:.0f} cm or more", lambda s: 100 * mean(s["new gap"] >= CLEAR),
-                 unit="%"),
-        reported("points that keep it", lambda s: 100 * mean(s["point new gap"] >= CLEAR), unit="%"),
-        reported("points: gap that 5 % stay below", lambda s: quantile(s["point new gap"], 0.05), unit="m"),
-    ),
+    measured("plans that run into a predicted trajectory", lambda s: 100 * mean(s["point new plan"] < 0.0),
+             unit="%", at_most=5.0),
+    measured("drives with a touch, over the conventional planner's", ratio, "new hit", "old hit", at_most=0.5),
+    reported("plans of the conventional planner that do", lambda s: 100 * mean(s["point old plan"] < 0.0), unit="%"),
+    reported("drives with a touch", "new hit", unit="%"),
+    reported(f"drives with a gap of {100 * CLEAR:.0f} cm or more", lambda s: 100 * mean(s["new gap"] >= CLEAR),
+             unit="%"),
+    reported("points that keep it", lambda s: 100 * mean(s["point new gap"] >= CLEAR), unit="%"),
+    reported("points: gap that 5 % stay below", lambda s: quantile(s["point new gap"], 0.05), unit="m"),
     measure=measure_crossings, figures=gap_figure, batches=6, seconds=4.0,
     ingredients=ASSUMED,
     note=LOOKED_AT,
 )  # fmt: skip
 
-H10 = Claim(
-    id="H10", section="3",
-    statement="Taking the obstacles' movement into account gives smoother paths and fewer collisions.",
-    method=f"{DRIVE_TEXT}; both planners in the same scenes. \"For several scenarios that frequently occur\": the "
+H10 = claim(
+    "H10", "3", "Taking the obstacles' movement into account gives smoother paths and fewer collisions.",
+    f"{DRIVE_TEXT}; both planners in the same scenes. \"For several scenarios that frequently occur\": the "
     f"middle one of the three differences decides, so that two scenes have to show it. Beside it {POINT_TEXT}.",
-    criteria=(
-        measured("fewer touches in 100 drives, middle of three scenes", middle_difference, "hit", 100.0, above=0.0),
-        measured("less turn, middle of three scenes", middle_difference, "turn", unit="deg", above=0.0),
-        *(reported(f"{kind}: {text}", difference, key, kind, scale, unit=unit) for kind in KINDS
-          for key, text, scale, unit in (("hit", "fewer touches in 100", 100.0, ""), ("turn", "less turn", 1.0, "deg"),
-                                         ("time", "less time", 1.0, "s"))),
-        reported("drives with a touch, conventional planner", "old hit", unit="%"),
-        reported("drives with a touch, time-variant planner", "new hit", unit="%"),
-        reported("points that collide, conventional planner", "point old hit", unit="%"),
-        reported("points that collide, time-variant planner", "point new hit", unit="%"),
-        reported("points: less turn", lambda s: mean(s["point old turn"] - s["point new turn"]), unit="deg"),
-    ),
+    measured("fewer touches in 100 drives, middle of three scenes", middle_difference, "hit", 100.0, above=0.0),
+    measured("less turn, middle of three scenes", middle_difference, "turn", unit="deg", above=0.0),
+    *(reported(f"{kind}: {text}", difference, key, kind, scale, unit=unit) for kind in KINDS
+      for key, text, scale, unit in (("hit", "fewer touches in 100", 100.0, ""), ("turn", "less turn", 1.0, "deg"),
+                                     ("time", "less time", 1.0, "s"))),
+    reported("drives with a touch, conventional planner", "old hit", unit="%"),
+    reported("drives with a touch, time-variant planner", "new hit", unit="%"),
+    reported("points that collide, conventional planner", "point old hit", unit="%"),
+    reported("points that collide, time-variant planner", "point new hit", unit="%"),
+    reported("points: less turn", lambda s: mean(s["point old turn"] - s["point new turn"]), unit="deg"),
     measure=measure_crossings, figures=gap_figure, batches=12, seconds=4.0,
     ingredients=ASSUMED,
     note=f"{LOOKED_AT} A point that turns on the spot at full speed nearly always escapes, with either planner.",
 )  # fmt: skip
 
-H11 = Claim(
-    id="H11", section="3, figure 2",
-    statement="The time-variant planner plans a very efficient path right from the beginning.",
-    method=f"{POINT_TEXT}; how often plans change the side on which they pass the obstacle, the way over the straight "
+H11 = claim(
+    "H11", "3, figure 2", "The time-variant planner plans a very efficient path right from the beginning.",
+    f"{POINT_TEXT}; how often plans change the side on which they pass the obstacle, the way over the straight "
     "line, and how far it strays from that planned at first. Beside it the figure's scenes.",
-    criteria=(
-        measured("random crossings without a change of side", lambda s: 100 * mean(s["point new sides"] == 0), unit="%",
-                 at_least=90.0),
-        measured("way over the straight line", lambda s: mean(s["point new length"]) / WAY, at_most=1.1),
-        reported("conventional: without a change of side", lambda s: 100 * mean(s["point old sides"] == 0), unit="%"),
-        reported("conventional: way over the straight line", lambda s: mean(s["point old length"]) / WAY),
-        reported("strays by (mean)", "point new strays", unit="m"),
-        reported("the figure's scenes (chosen): changes of side", of_figure, "new sides"),
-        reported("the figure's scenes (chosen): strays by at most", of_figure, "new strays", unit="m"),
-        reported("the figure's scenes, conventional: strays by", of_figure, "old strays", min, unit="m"),
-    ),
+    measured("random crossings without a change of side", lambda s: 100 * mean(s["point new sides"] == 0), unit="%",
+             at_least=90.0),
+    measured("way over the straight line", lambda s: mean(s["point new length"]) / WAY, at_most=1.1),
+    reported("conventional: without a change of side", lambda s: 100 * mean(s["point old sides"] == 0), unit="%"),
+    reported("conventional: way over the straight line", lambda s: mean(s["point old length"]) / WAY),
+    reported("strays by (mean)", "point new strays", unit="m"),
+    reported("the figure's scenes (chosen): changes of side", of_figure, "new sides"),
+    reported("the figure's scenes (chosen): strays by at most", of_figure, "new strays", unit="m"),
+    reported("the figure's scenes, conventional: strays by", of_figure, "old strays", min, unit="m"),
     measure=measure_crossings, batches=6, seconds=4.0,
     ingredients=ASSUMED,
     note=LOOKED_AT,

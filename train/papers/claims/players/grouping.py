@@ -9,19 +9,11 @@ from functools import partial
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import Ablation, Batch, Claim
+from soccer_env.train.papers.claim import Ablation, Batch, claim
+from soccer_env.train.papers.claims.players import watching
 from soccer_env.train.papers.claims.players.jersey import JERSEYS
-from soccer_env.train.papers.claims.players.seen import (
-    blob_owners,
-    distances_from_camera,
-    is_fresh,
-    put_facing,
-    slot_bearings,
-    slots_of,
-    stage_watchers,
-)
 from soccer_env.train.papers.plots import each, plot, plots
-from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, still_actions, wrap_angle
+from soccer_env.train.papers.staging import begin_scene, play, still_actions, wrap_angle
 from soccer_env.train.papers.true_sight import turn_head
 from soccer_env.train.papers.values import percent
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
@@ -52,7 +44,7 @@ def put_two_in_view(match: Match, rng: np.random.Generator, alike: bool = False)
     first = (np.hypot(x[..., 0] - x[..., 1], y[..., 0] - y[..., 1]) > APART).argmax(axis=0)
     for i, r in enumerate(FOES):
         view = rng.uniform(-np.pi, np.pi, match.count)
-        put_facing(match, r, distance[first, rows, i], bearing[first, rows, i], view)
+        watching.put_facing(match, r, distance[first, rows, i], bearing[first, rows, i], view)
 
 
 def seen_and_believed(match: Match) -> tuple[np.ndarray, np.ndarray]:
@@ -60,10 +52,10 @@ def seen_and_believed(match: Match) -> tuple[np.ndarray, np.ndarray]:
 
     A blob or slot belongs to the opponent that is nearest to it sideways.
     """
-    mine, slots = blob_owners(match, FOES), slots_of(match)
-    away, true = distances_from_camera(match, FOES)
-    aside = np.abs(wrap_angle(slot_bearings(match, slots)[:, :, None] - true[:, None, :])) * away[:, None, :]
-    nearest = np.where(is_fresh(match, slots), aside.argmin(axis=2), -1)
+    mine, slots = watching.blob_owners(match, FOES), watching.slots_of(match)
+    away, true = watching.distances_from_camera(match, FOES)
+    aside = np.abs(wrap_angle(watching.slot_bearings(match, slots)[:, :, None] - true[:, None, :])) * away[:, None, :]
+    nearest = np.where(watching.is_fresh(match, slots), aside.argmin(axis=2), -1)
     visible = np.stack([(mine == i).any(axis=1) for i in range(len(FOES))], axis=1)
     return visible, np.stack([(nearest == i).sum(axis=1) for i in range(len(FOES))], axis=1)
 
@@ -75,7 +67,7 @@ def ghosts_and_misses(visible: np.ndarray, filled: np.ndarray) -> tuple[np.ndarr
 
 def count_errors(batch: Batch, factor: float, jersey: float) -> dict[str, np.ndarray]:
     """Count ghosts, missed players, filled slots and visible players over all frames (M,), with a grouping factor."""
-    match = stage_watchers(batch, MATCHES, away=2, memory={"grouping": factor}, sensors={"jersey": jersey})
+    match = watching.stage_watchers(batch, MATCHES, away=2, memory={"grouping": factor}, sensors={"jersey": jersey})
     put_two_in_view(match, batch.rng())
     begin_scene(match)
     actions = still_actions(match)
@@ -115,27 +107,24 @@ def excess_over_best_factor(samples: Samples) -> np.ndarray:
     return np.asarray(total_error_share(samples, CHOSEN) - others.min(axis=0))
 
 
-S33 = Claim(
-    id="S33", section="4.1.1",
-    statement="Merging blobs within three sizes works best, and errs towards counting two players as one.",
-    method=f"{MATCHES} robots a batch and jersey (stickers of {', '.join(f'{j:g}' for j in JERSEYS)} times their size) "
+S33 = claim(
+    "S33", "4.1.1", "Merging blobs within three sizes works best, and errs towards counting two players as one.",
+    f"{MATCHES} robots a batch and jersey (stickers of {', '.join(f'{j:g}' for j in JERSEYS)} times their size) "
     f"look at two standing opponents {100 * NEAR:.0f} to {100 * FAR:.0f} cm away in their view, from any side; a ghost "
     "is a slot filled in a frame beyond one for each opponent that shows a blob, a missed one shows a blob and fills "
     "no slot; same seeds for each factor; the worst jersey counts.",
-    criteria=(
-        measured("ghosts at a factor of 3, in the worst jersey",
-                 lambda s: float(error_share(s, "ghosts", CHOSEN, "filled").max()), unit="%", at_most=FEW),
-        measured("missed less ghosts at a factor of 3, in the worst jersey",
-                 lambda s: float((error_share(s, "missed", CHOSEN) - error_share(s, "ghosts", CHOSEN)).min()), unit="%",
-                 above=0.0),
-        measured("ghosts and misses at a factor of 3 less the fewest at another factor < 0, of the players visible, in "
-                 "each jersey", lambda samples: float(excess_over_best_factor(samples).max()), unit="%", below=0.0),
-        *(reported(f"the same, stickers {jersey:g} times as large", lambda s, j: float(excess_over_best_factor(s)[j]),
-                   j, unit="%") for j, jersey in enumerate(JERSEYS)),
-        *(reported(f"ghosts and misses at {factor:g}, stickers of their own size", lambda s,
-                   factor: float(total_error_share(s, factor)[JERSEYS.index(1.0)]), factor, unit="%")
-          for factor in FACTORS),
-    ),
+    measured("ghosts at a factor of 3, in the worst jersey",
+             lambda s: float(error_share(s, "ghosts", CHOSEN, "filled").max()), unit="%", at_most=FEW),
+    measured("missed less ghosts at a factor of 3, in the worst jersey",
+             lambda s: float((error_share(s, "missed", CHOSEN) - error_share(s, "ghosts", CHOSEN)).min()), unit="%",
+             above=0.0),
+    measured("ghosts and misses at a factor of 3 less the fewest at another factor < 0, of the players visible, in "
+             "each jersey", lambda samples: float(excess_over_best_factor(samples).max()), unit="%", below=0.0),
+    *(reported(f"the same, stickers {jersey:g} times as large", lambda s, j: float(excess_over_best_factor(s)[j]),
+               j, unit="%") for j, jersey in enumerate(JERSEYS)),
+    *(reported(f"ghosts and misses at {factor:g}, stickers of their own size", lambda s,
+               factor: float(total_error_share(s, factor)[JERSEYS.index(1.0)]), factor, unit="%")
+      for factor in FACTORS),
     measure=try_factors, condition="in the worst of three sizes of assumed stickers",
     figures=plots(*(plot(f"Two players in view, stickers {jersey:g} times as large",
                          "grouping factor [sizes of the larger blob]", "per visible player [%]", FACTORS,
@@ -150,15 +139,13 @@ S33 = Claim(
 
 def count_kept_opponents(batch: Batch, alike: bool = False) -> Samples:
     """Count frames (M,) with two opponents visible and one slot filled, and frames that keep the nearer opponent."""
-    match = stage_watchers(batch, PAIRS, away=2)
+    match = watching.stage_watchers(batch, PAIRS, away=2)
     put_two_in_view(match, batch.rng(), alike)
     begin_scene(match)
     actions = still_actions(match)
     turn_head(match, actions, 0, 0.0, TILT)
     kept, merged = np.zeros((2, match.count))
-    true = np.stack(
-        [distance_to_point(match, 0, match.robots["x"][:, r], match.robots["y"][:, r])[0] for r in FOES], axis=1
-    )
+    true = np.stack([watching.distance_to_robot(match, r) for r in FOES], axis=1)
     for step in play(match, SETTLE + SECONDS, actions):
         if step < SETTLE * match.league.control_rate:
             continue
@@ -176,28 +163,25 @@ def kept_opponent(match: Match) -> np.ndarray:
 
     This is the opponent nearest to the slot's place, in units of the errors: ASIDE, and RANGE of the distance.
     """
-    slots, rows = slots_of(match), np.arange(match.count)
-    row = is_fresh(match, slots).argmax(axis=1)
-    away, true = distances_from_camera(match, FOES)
+    slots, rows = watching.slots_of(match), np.arange(match.count)
+    row = watching.is_fresh(match, slots).argmax(axis=1)
+    away, true = watching.distances_from_camera(match, FOES)
     x, y = slots["x"][rows, row], slots["y"][rows, row]
-    places = [distance_to_point(match, 0, match.robots["x"][:, r], match.robots["y"][:, r])[0] for r in FOES]
-    beside = np.abs(wrap_angle(slot_bearings(match, slots)[rows, row][:, None] - true)) * away / ASIDE
+    places = [watching.distance_to_robot(match, r) for r in FOES]
+    beside = np.abs(wrap_angle(watching.slot_bearings(match, slots)[rows, row][:, None] - true)) * away / ASIDE
     beyond = np.log(np.maximum(np.hypot(x, y), 0.01)[:, None] / np.stack(places, axis=1)) / RANGE
     return np.asarray((beside * beside + beyond * beyond).argmin(axis=1))
 
 
-S72 = Claim(
-    id="S72", section="4.1.1",
-    statement="A player that is ignored is a farther one, because blobs are considered by size.",
-    method=f"{PAIRS} robots a batch look at two standing opponents {100 * NEAR:.0f} to {100 * FAR:.0f} cm away in "
+S72 = claim(
+    "S72", "4.1.1", "A player that is ignored is a farther one, because blobs are considered by size.",
+    f"{PAIRS} robots a batch look at two standing opponents {100 * NEAR:.0f} to {100 * FAR:.0f} cm away in "
     "their view, from any side; frames in which both show a blob and one slot is filled, with the opponent whose place "
     f"is nearest to it ({100 * ASIDE:.0f} cm aside count like {100 * RANGE:.0f} % of the distance). The paper: "
     "\"ignoring only those farther away\", which decides where one is farther.",
-    criteria=(
-        counted(f"distances differ by {100 * (UNLIKE - 1):.0f} % or more: the nearer is kept", "nearer unlike",
-                "merged unlike", at_least=95.0),
-        reported("the nearer is kept, all pairs", percent, "nearer", "merged", unit="%"),
-    ),
+    counted(f"distances differ by {100 * (UNLIKE - 1):.0f} % or more: the nearer is kept", "nearer unlike",
+            "merged unlike", at_least=95.0),
+    reported("the nearer is kept, all pairs", percent, "nearer", "merged", unit="%"),
     measure=count_kept_opponents, batches=24, seconds=2.0,
     without=Ablation("a nearer player's blobs are larger, and blobs are sorted by size; here both are as far",
                      partial(count_kept_opponents, alike=True)),

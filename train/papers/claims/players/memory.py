@@ -1,16 +1,21 @@
-"""One opponent that fills the whole memory of opponents, and the rules of matching.  [Sacks 2001, 4.1.1]
+"""The memory of other players: one opponent that fills it, a ghost, a missed player.  [Sacks 2001, 4.1.1]
 
-The rates of missed stickers and missed players are guesses, so S35 is judged over both; the worst case counts.
+The rates of missed stickers and missed players are guesses, so S35 is judged over both; the worst case counts. The
+errors of S34 are the paper's own: for one frame every blob counts as a player (ghosts), or all blobs of a colour count
+as one player (the farther one is missed). The comparison has the same frames without an error.
 """
 
-from collections.abc import Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
 
-from soccer_env.train.papers.claim import Batch, Claim, Curve, Figure
-from soccer_env.train.papers.claims.players.grouping import TILT
-from soccer_env.train.papers.claims.players.seen import is_fresh, put_facing, slots_of, stage_watchers
+from soccer_env.match import Match
+from soccer_env.match.staging import memory_settings_of
+from soccer_env.train.papers.claim import Batch, claim
+from soccer_env.train.papers.claims.players import watching
+from soccer_env.train.papers.claims.players.grouping import TILT, ghosts_and_misses, put_two_in_view, seen_and_believed
+from soccer_env.train.papers.plots import Drawing, columns, plot
 from soccer_env.train.papers.staging import begin_scene, play, still_actions
 from soccer_env.train.papers.true_sight import turn_head
 from soccer_env.train.papers.values import mean, median, rms, subtract_row_mean
@@ -30,7 +35,7 @@ POWERS = {  # of distance and angle in the likelihood
 }
 STEADY = 0.08  # [1] greatest scatter of the range of a "steady" run
 ONE_PLAYER = 1e6  # grouping factor by which all blobs of a colour are one player
-EVERY = 8  # frames between two points of the figure
+EVERY, POINTS = 8, 60  # frames between two points of the figure, and their number
 FIRST, FINAL = "U/d", "U/(d^3 a)"  # the first and the final likelihood of the paper
 MISSES: dict[str, dict[str, float]] = {  # things that frames miss
     "nothing": {"sticker_miss": 0.0, "player_miss": 0.0},
@@ -46,10 +51,10 @@ def stare_at_one(batch: Batch, sensors: dict[str, float], **memory: Any) -> dict
     "filled": number of slots filled since then, ideally one; "range": relative scatter of the believed range [1].
     """
     rng = batch.rng()
-    match = stage_watchers(batch, MATCHES, away=3, sensors=sensors, memory=memory)
+    match = watching.stage_watchers(batch, MATCHES, away=3, sensors=sensors, memory=memory)
     for r, low, high in ((1, -AHEAD, AHEAD), (2, *ASIDE), (3, -ASIDE[1], -ASIDE[0])):
         distance, bearing = rng.uniform(NEAR, FAR, MATCHES), rng.uniform(low, high, MATCHES)
-        put_facing(match, r, distance, bearing, rng.uniform(-np.pi, np.pi, MATCHES))
+        watching.put_facing(match, r, distance, bearing, rng.uniform(-np.pi, np.pi, MATCHES))
     begin_scene(match)
     actions = still_actions(match)
     for pan in (TURNED, -TURNED, 0.0):
@@ -59,10 +64,10 @@ def stare_at_one(batch: Batch, sensors: dict[str, float], **memory: Any) -> dict
     filled: list[np.ndarray] = []
     seen: list[np.ndarray] = []
     for step in play(match, SECONDS, actions):
-        slots = slots_of(match)
+        slots = watching.slots_of(match)
         since = (step + 0.5) * match.league.dt
         filled.append(((slots["present"] == 1) & (slots["age"] < since)).sum(axis=1))
-        nearest = np.where(is_fresh(match, slots), slots["distance"], np.inf).min(axis=1)
+        nearest = np.where(watching.is_fresh(match, slots), slots["distance"], np.inf).min(axis=1)
         seen.append(np.where(np.isfinite(nearest), nearest, np.nan))
     match.close()
     ranges = np.stack(seen, axis=1)
@@ -114,14 +119,11 @@ def by_case(samples: Samples, name: str) -> list[float]:
     return [100 * mean(samples[f"{name}, {missed}"]) for missed in MISSES]
 
 
-def slot_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the share of runs in which one opponent holds two slots against the time."""
-    names = [name for name in POWERS if f"course {name}" in samples]
-    steps = samples[f"course {FINAL}"].shape[-1]
-    times = [float(i * SECONDS / steps) for i in range(steps)]
-    courses = [samples[f"course {name}"].reshape(-1, steps) for name in names]
-    curves = [Curve(name, times, list(100 * course.mean(axis=0))) for name, course in zip(names, courses, strict=True)]
-    return (Figure("One opponent in view: runs in which it holds two slots", "time [s]", "runs [%]", tuple(curves)),)
+def plot_slots(*names: str) -> Drawing:
+    """Return a drawing of the share of runs in which one opponent holds two slots against the time, by likelihood."""
+    lines = {name: columns(f"course {name}") for name in names}
+    title = "One opponent in view: runs in which it holds two slots"
+    return plot(title, "time [s]", "runs [%]", [i * SECONDS / POINTS for i in range(POINTS)], lines)
 
 
 HOW = (
@@ -130,44 +132,127 @@ HOW = (
     "it has filled two slots or more, same seeds for each likelihood"
 )
 
-S35 = Claim(
-    id="S35", section="4.1.1",
-    statement="Uncertainty U/d lets one opponent fill all three slots; U/(d^3 angle) usually does not.",
-    method=f"{HOW}: U/d first, U/(d^3 angle) at last; if frames miss nothing, 5 % of the stickers, or 5 % of the "
+S35 = claim(
+    "S35", "4.1.1", "Uncertainty U/d lets one opponent fill all three slots; U/(d^3 angle) usually does not.",
+    f"{HOW}: U/d first, U/(d^3 angle) at last; if frames miss nothing, 5 % of the stickers, or 5 % of the "
     "players; the worst of them counts. The paper: U/d \"frequently caused a single foe to fill up all three foe "
     "slots\"; the other \"usually prevents one player from occupying multiple slots\".",
-    criteria=(
-        measured("U/d: runs in which it comes to fill all three slots", lambda s: min(by_case(s, f"all {FIRST}")),
-                 unit="%", at_least=50.0),
-        measured("U/(d^3 angle): time with one slot alone", lambda s: 100 - max(by_case(s, FINAL)), unit="%",
-                 above=50.0),
-        reported("U/d: two slots or more, at the least", lambda s: min(by_case(s, FIRST)), unit="%"),
-        *(reported(f"U/(d^3 angle), missed: {missed}", f"{FINAL}, {missed}", unit="%") for missed in MISSES),
-        reported("U/(d^3 angle), runs whose ranges scatter by 8 % or less", f"steady {FINAL}", unit="%"),
-        reported("U/(d^3 angle), one sticker on a side, 5 % missed", "one sticker", unit="%"),
-        reported("U/(d^3 angle) with blobs grouped by factor 3", "grouped", unit="%"),
-        reported("scatter of a frame's range", "range, 5 % of the stickers", of=rms, unit="%"),
-        reported("the same, nothing missed", "range, nothing", of=rms, unit="%"),
-    ),
-    measure=compare_misses, figures=slot_figure, batches=10, seconds=6.0,
+    measured("U/d: runs in which it comes to fill all three slots", lambda s: min(by_case(s, f"all {FIRST}")),
+             unit="%", at_least=50.0),
+    measured("U/(d^3 angle): time with one slot alone", lambda s: 100 - max(by_case(s, FINAL)), unit="%", above=50.0),
+    reported("U/d: two slots or more, at the least", lambda s: min(by_case(s, FIRST)), unit="%"),
+    *(reported(f"U/(d^3 angle), missed: {missed}", f"{FINAL}, {missed}", unit="%") for missed in MISSES),
+    reported("U/(d^3 angle), runs whose ranges scatter by 8 % or less", f"steady {FINAL}", unit="%"),
+    reported("U/(d^3 angle), one sticker on a side, 5 % missed", "one sticker", unit="%"),
+    reported("U/(d^3 angle) with blobs grouped by factor 3", "grouped", unit="%"),
+    reported("scatter of a frame's range", "range, 5 % of the stickers", of=rms, unit="%"),
+    reported("the same, nothing missed", "range, nothing", of=rms, unit="%"),
+    measure=compare_misses, figures=plot_slots(FIRST, FINAL), batches=10, seconds=6.0,
     ingredients=("memory.uncertainty_growth, assumed", "memory.ghost_time, assumed", "sensors.dither"),
     note="Where a frame misses all of the trunk's stickers, the one of the head is the largest blob that is left, the "
     "player seems half as far again, and may go into another slot.",
 )  # fmt: skip
 
 
-S36 = Claim(
-    id="S36", section="4.1.1",
-    statement="It is not clear that the factor of the angle helps.",
-    method=f"{HOW}: with the angle and without.",
-    criteria=(
-        reported("U/(d^3 angle)", "U/(d^3 a)", unit="%"),
-        reported("U/d^3", "U/d^3", unit="%"),
-        reported("U/(d angle)", "U/(d a)", unit="%"),
-        reported("U/d", "U/d", unit="%"),
-        reported("the angle takes away, of U/d^3", lambda s: 100 * mean(s["U/d^3"]) - 100 * mean(s["U/(d^3 a)"]),
-                 unit="%"),
-    ),
-    measure=compare_likelihoods, figures=slot_figure, batches=4, seconds=5.0,
+S36 = claim(
+    "S36", "4.1.1", "It is not clear that the factor of the angle helps.",
+    f"{HOW}: with the angle and without.",
+    reported("U/(d^3 angle)", "U/(d^3 a)", unit="%"),
+    reported("U/d^3", "U/d^3", unit="%"),
+    reported("U/(d angle)", "U/(d a)", unit="%"),
+    reported("U/d", "U/d", unit="%"),
+    reported("the angle takes away, of U/d^3", lambda s: 100 * mean(s["U/d^3"]) - 100 * mean(s["U/(d^3 a)"]), unit="%"),
+    measure=compare_likelihoods, figures=plot_slots(*POWERS), batches=4, seconds=5.0,
     ingredients=("memory.uncertainty_growth, assumed", "memory.ghost_time, assumed", "sensors.dither"),
+)  # fmt: skip
+
+# A ghost and a missed player
+
+WATCHERS = 256
+LOOK_ASIDE = 1.0  # [s] at the third opponent
+LOOK_AHEAD = 1.0  # [s] at the first two
+AFTER = 5.0  # [s] after the error
+THIRD_NEAR, THIRD_FAR = 0.5, 1.0  # [m] of the third opponent
+KNOWN = 1.0  # [m] beyond which a slot stands for nobody: obstacles exert no force from there, 4.3.2
+FOES = [1, 2, 3]
+RATE, POINT_EVERY = 16, 4  # [Hz] of control steps, and of them between two points of the figure
+EVENTS: dict[str, float | None] = {"none": None, "ghost": 0.0, "miss": 1e6}  # grouping factor for one frame
+
+
+def remember_three(batch: Batch, event: str) -> dict[str, np.ndarray]:
+    """Return the memory's error (M, T) [m] since an event: mean distance of three opponents from their memory slots.
+
+    "ghosts" and "missed" (M,): their numbers in the frame of the event.
+    """
+    rng = batch.rng()
+    match = watching.stage_watchers(batch, WATCHERS, away=3)
+    put_two_in_view(match, rng)
+    side = rng.choice([-1.0, 1.0], WATCHERS)
+    distance, bearing = rng.uniform(THIRD_NEAR, THIRD_FAR, WATCHERS), side * rng.uniform(*ASIDE, WATCHERS)
+    watching.put_facing(match, 3, distance, bearing, rng.uniform(-3.0, 3.0, WATCHERS))
+    begin_scene(match)
+    actions = still_actions(match)
+    for pan, seconds in ((side * TURNED, LOOK_ASIDE), (0.0, LOOK_AHEAD)):
+        turn_head(match, actions, 0, pan, TILT)
+        for _ in play(match, seconds, actions):
+            pass
+    chosen, factor = float(memory_settings_of(match)["grouping"][0]), EVENTS[event]
+    memory_settings_of(match)["grouping"] = chosen if factor is None else factor
+    match.step(actions)
+    memory_settings_of(match)["grouping"] = chosen
+    ghosts, missed = ghosts_and_misses(*seen_and_believed(match))
+    errors = [memory_error(match)]
+    for _ in play(match, AFTER, actions):
+        errors.append(memory_error(match))
+    match.close()
+    return {"error": np.stack(errors, axis=1), "ghosts": ghosts.astype(float), "missed": missed.astype(float)}
+
+
+def memory_error(match: Match) -> np.ndarray:
+    """Return the mean distance (M,) [m] of the opponents from the slots matched to them, KNOWN if none is matched."""
+    gaps = watching.matched_distances(watching.gaps_to(match, watching.slots_of(match), FOES), KNOWN)
+    return np.asarray(np.minimum(gaps, KNOWN).mean(axis=1))
+
+
+def compare_errors(batch: Batch) -> Samples:
+    """Return the error that each ghost and each miss adds, as mean over AFTER (M,) and in each frame (M, T) [m].
+
+    Matches count if the event made a ghost or a miss, and the frame without the event has neither.
+    """
+    runs = {event: remember_three(batch, event) for event in EVENTS}
+    quiet = (runs["none"]["ghosts"] == 0) & (runs["none"]["missed"] == 0)
+    samples: Samples = {"plain": runs["none"]["error"].mean(axis=1)}
+    for event, name in (("ghost", "ghosts"), ("miss", "missed")):
+        number = runs[event][name]
+        counts = quiet & (number > 0) & (runs[event]["ghosts"] * runs[event]["missed"] == 0)
+        added = (runs[event]["error"] - runs["none"]["error"]) / np.maximum(number, 1.0)[:, None]
+        samples[f"course {event}"] = np.where(counts[:, None], added, np.nan)
+        samples[event] = np.where(counts, added.mean(axis=1), np.nan)
+    return samples
+
+
+def course_of(samples: Samples, event: str) -> np.ndarray:
+    """Return the error that an event adds (M, T) [m], every few frames."""
+    return samples[f"course {event}"][:, ::POINT_EVERY]
+
+
+S34 = claim(
+    "S34", "4.1.1", "A ghost, which may displace a real player, is worse than a miss.",
+    f"{WATCHERS} robots a batch have looked at three standing opponents, two of which are in view; for one frame "
+    "every blob counts as a player (ghosts), or all blobs as one (a miss); mean distance of the opponents from the "
+    f"slots that stand for them (at most {100 * KNOWN:.0f} cm), less that without the event, over the {AFTER:g} s "
+    "after it, for each ghost and for each miss.",
+    measured("added error for a ghost less that for a miss",
+             lambda samples: 100 * (mean(samples["ghost"]) - mean(samples["miss"])), unit="cm", above=0.0),
+    reported("added error for a ghost", "ghost", unit="cm"),
+    reported("added error for a miss", "miss", unit="cm"),
+    reported("error without either", "plain", unit="cm"),
+    reported("share of events that make a ghost", lambda s: 100 * float(np.isfinite(s["ghost"]).mean()), unit="%"),
+    reported("share of events that make a miss", lambda s: 100 * float(np.isfinite(s["miss"]).mean()), unit="%"),
+    measure=compare_errors,
+    figures=plot("What one frame's error does to the memory", "time since [s]", "added error [cm]",
+                 np.linspace(0.0, AFTER, round(AFTER * RATE) + 1)[::POINT_EVERY],
+                 {f"a {event}": columns(partial(course_of, event=event)) for event in ("ghost", "miss")}),
+    seconds=5.0,
+    ingredients=("three slots for three opponents", "memory.distance_power, angle_power"),
 )  # fmt: skip

@@ -5,16 +5,8 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import Batch, Claim
-from soccer_env.train.papers.claims.players.seen import (
-    distances_from_camera,
-    gaps_to,
-    is_fresh,
-    matched_distances,
-    slot_bearings,
-    slots_of,
-    stage_watchers,
-)
+from soccer_env.train.papers.claim import Batch, claim
+from soccer_env.train.papers.claims.players import watching
 from soccer_env.train.papers.plots import each, plot
 from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, put, still_actions, wrap_angle
 from soccer_env.train.papers.true_sight import turn_head
@@ -54,7 +46,7 @@ def track_all(batch: Batch, **memory: Any) -> dict[str, np.ndarray]:
     The errors are of the nearest team-mate and the nearest opponent in the frame, NaN without one.
     """
     rng = batch.rng()
-    match = stage_watchers(batch, MATCHES, home=3, away=3, memory=memory)
+    match = watching.stage_watchers(batch, MATCHES, home=3, away=3, memory=memory)
     for r, (x, y) in enumerate(PLACES):
         aside = rng.uniform(-0.2, 0.2, (2, MATCHES))
         put(match, r, x + aside[0], y + aside[1], rng.uniform(-np.pi, np.pi, MATCHES))
@@ -74,7 +66,8 @@ def track_all(batch: Batch, **memory: Any) -> dict[str, np.ndarray]:
 
 def are_tracked(match: Match, mates: bool, rows: list[int]) -> np.ndarray:
     """Tell which players of a team (M, n) have a memory slot within NEAR of their true place."""
-    return np.asarray(np.isfinite(matched_distances(gaps_to(match, slots_of(match, mates), rows), NEAR)))
+    gaps = watching.gaps_to(match, watching.slots_of(match, mates), rows)
+    return np.asarray(np.isfinite(watching.matched_distances(gaps, NEAR)))
 
 
 def nearest_error(match: Match, mates: bool, rows: list[int]) -> np.ndarray:
@@ -82,11 +75,11 @@ def nearest_error(match: Match, mates: bool, rows: list[int]) -> np.ndarray:
 
     The slot is compared with the player that is nearest to it sideways.
     """
-    slots, order = slots_of(match, mates), np.arange(match.count)
-    distance = np.where(is_fresh(match, slots), slots["distance"], np.inf)
+    slots, order = watching.slots_of(match, mates), np.arange(match.count)
+    distance = np.where(watching.is_fresh(match, slots), slots["distance"], np.inf)
     slot = distance.argmin(axis=1)
-    away, true = distances_from_camera(match, rows)
-    aside = np.abs(wrap_angle(slot_bearings(match, slots)[order, slot][:, None] - true)) * away
+    away, true = watching.distances_from_camera(match, rows)
+    aside = np.abs(wrap_angle(watching.slot_bearings(match, slots)[order, slot][:, None] - true)) * away
     x, y = match.robots["x"][:, rows], match.robots["y"][:, rows]
     meant = aside.argmin(axis=1)
     range_, _ = distance_to_point(match, 0, x[order, meant], y[order, meant])
@@ -114,19 +107,16 @@ def error(samples: Samples, name: str) -> float:
     return 100 * rms(samples[f"error {name}"])
 
 
-S32 = Claim(
-    id="S32", section="4.1",
-    statement="Three opponents and two team-mates are stored, more accurately than the nearest ones before.",
-    method=f"{MATCHES} robots a batch walk about among two team-mates and three opponents who do as well, their heads "
+S32 = claim(
+    "S32", "4.1", "Three opponents and two team-mates are stored, more accurately than the nearest ones before.",
+    f"{MATCHES} robots a batch walk about among two team-mates and three opponents who do as well, their heads "
     f"sweeping, for {SECONDS:g} s; a player is tracked if a slot of its team lies within {100 * NEAR:.0f} cm; range "
     "error of the nearest player of each team in frames that both systems see, same seeds.",
-    criteria=(
-        measured("players tracked, new over old",
-                 lambda samples: recall(samples, "new") / max(recall(samples, "old"), 1e-9), at_least=1.8),
-        measured("range error, new over old", lambda s: error(s, "new") / max(error(s, "old"), 1e-9), below=1.0),
-        *(reported(f"players tracked of the five others, {name}", recall, name, unit="%") for name in VARIANTS),
-        *(reported(f"range error, {name}", error, name, unit="cm") for name in ("new", "old")),
-    ),
+    measured("players tracked, new over old",
+             lambda samples: recall(samples, "new") / max(recall(samples, "old"), 1e-9), at_least=1.8),
+    measured("range error, new over old", lambda s: error(s, "new") / max(error(s, "old"), 1e-9), below=1.0),
+    *(reported(f"players tracked of the five others, {name}", recall, name, unit="%") for name in VARIANTS),
+    *(reported(f"range error, {name}", error, name, unit="cm") for name in ("new", "old")),
     measure=compare_systems,
     figures=plot("Players tracked, of five", "players tracked", "share of the time [%]", range(6),
                  {name: each(range(6), lambda s, name, n: 100 * float(np.mean(s[f"tracked {name}"] == n)), name)

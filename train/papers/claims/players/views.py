@@ -1,11 +1,12 @@
 """The angles from which players see each other in play.  [Sacks 2001, 4.1.2]"""
 
-from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import PLAYED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import PLAYED, Batch, claim
+from soccer_env.train.papers.plots import plot
 from soccer_env.train.papers.staging import kick_off, wrap_angle
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
@@ -60,33 +61,28 @@ def front_lead(counts: np.ndarray) -> float:
     return float(front - max(side, rear))
 
 
-def view_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the distribution of the angles of view, with sensors and with ideal senses."""
-    width = 180.0 / SECTORS
-    middles = [width * (i + 0.5) for i in range(SECTORS)]
-    curves = []
-    for name, label in (("sensors", "sensors"), ("ideal", "ideal senses")):
-        total = samples[name].sum(axis=0)
-        curves.append(Curve(f"play by {label}", middles, list(100 * total / max(total.sum(), 1.0))))
-    angle = "angle from head-on [degrees]"
-    return (Figure("Angles under which players are seen, 3 v 3", angle, "share of views [%]", tuple(curves)),)
+def sector_shares(samples: Samples, senses: str) -> list[float]:
+    """Return the shares [%] of the views in each sector."""
+    total = samples[senses].sum(axis=0)
+    return list(100 * total / max(total.sum(), 1.0))
 
 
-S69 = Claim(
-    id="S69", section="4.1.2",
-    statement="A robot's most common view of another player is head-on.",
-    method=f"{MATCHES} games of 3 v 3 a batch, chaser against chaser by their own sensors, {SECONDS:g} s each, every "
+S69 = claim(
+    "S69", "4.1.2", "A robot's most common view of another player is head-on.",
+    f"{MATCHES} games of 3 v 3 a batch, chaser against chaser by their own sensors, {SECONDS:g} s each, every "
     f"half second: the angle under which each other player within {FAR:g} m and within the width of the camera's view "
     "is seen, in thirds of the circle: head-on (60 degrees to both sides), from the side, from behind.",
-    criteria=(
-        measured("share of head-on views less the next third's", lambda samples: front_lead(samples["sensors"]),
-                 unit="%", above=0.0),
-        *(reported(f"share {name}", lambda s, i: float(shares_by_third(s["sensors"])[i]), i, unit="%")
-          for i, name in enumerate(THIRDS)),
-        reported("the lead where robots know the truth", lambda s: front_lead(s["ideal"]), unit="%"),
-    ),
+    measured("share of head-on views less the next third's", lambda samples: front_lead(samples["sensors"]),
+             unit="%", above=0.0),
+    *(reported(f"share {name}", lambda s, i: float(shares_by_third(s["sensors"])[i]), i, unit="%")
+      for i, name in enumerate(THIRDS)),
+    reported("the lead where robots know the truth", lambda s: front_lead(s["ideal"]), unit="%"),
     rules=PLAYED,
-    measure=lambda batch: {senses: play_matches(batch, senses) for senses in ("sensors", "ideal")}, figures=view_figure,
+    measure=lambda batch: {senses: play_matches(batch, senses) for senses in ("sensors", "ideal")},
+    figures=plot("Angles under which players are seen, 3 v 3", "angle from head-on [degrees]", "share of views [%]",
+                 [180.0 / SECTORS * (i + 0.5) for i in range(SECTORS)],
+                 {"play by sensors": partial(sector_shares, senses="sensors"),
+                  "play by ideal senses": partial(sector_shares, senses="ideal")}),
     seconds=4.0,
     ingredients=("the chaser, who faces the ball that it goes for", "the head, which follows the ball"),
 )  # fmt: skip

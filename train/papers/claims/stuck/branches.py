@@ -11,17 +11,9 @@ from soccer_env.baselines.sacks_2001.memory import BACK, ROTATE, SIDESTEP
 from soccer_env.match import Match
 from soccer_env.match.staging import memory_of
 from soccer_env.train.papers.claim import Batch
+from soccer_env.train.papers.claims.stuck import sampled
 from soccer_env.train.papers.claims.stuck.runs import begin_recovery
-from soccer_env.train.papers.claims.stuck.sampled import (
-    HELD,
-    MATCHES,
-    MOST,
-    Moments,
-    MotionWindow,
-    behaviours,
-    branch,
-    sample_moments,
-)
+from soccer_env.train.papers.claims.stuck.sampled import HELD, MATCHES, MOST
 from soccer_env.train.papers.staging import play, wrap_angle
 from soccer_env.train.papers.verdicts import Samples
 from soccer_env.types import AWAY, HOME, NO_TEAM
@@ -37,7 +29,7 @@ class Fate:
 
     def __init__(self, match: Match, robots: np.ndarray) -> None:
         self.match, self.robots, self.rows = match, robots, np.arange(match.count)
-        self.watch = MotionWindow(match)
+        self.watch = sampled.MotionWindow(match)
         self.found = {name: np.full(match.count, np.nan) for name in NUMBERS}
         self.found["tries"][:] = self.found["goals"][:] = 0.0
         self.found["before"] = misalignment(match, robots)
@@ -48,7 +40,7 @@ class Fate:
         """Record the events of a control step at the time `now` [s]."""
         match, at = self.match, (self.rows, self.robots)
         self.watch.look()
-        doing = behaviours(match)[at]
+        doing = sampled.behaviours(match)[at]
         recovers = (doing >= BACK) & (doing <= ROTATE)
         begins = (doing == BACK) & ~self.was_back & ~self.ended
         self.was_back = doing == BACK
@@ -118,8 +110,9 @@ def _follow_cached(
     batch: Batch, begun: bool, kind: int, random_sides: bool, settings: tuple[tuple[str, Any], ...]
 ) -> Samples:
     """Compute `follow_moments` from hashable arguments, which the cache needs."""
-    moments = sample_moments(batch)
-    place = index_within_match(moments)
+    moments = sampled.sample_moments(batch)
+    before = np.tril(moments.match[:, None] == moments.match[None, :], -1)
+    place = before.sum(axis=1)  # of each moment within its match
     found = {
         name: np.full((MATCHES, MOST), np.nan) for name in (*NUMBERS, "near", "still", "touching", "theirs", "held")
     }
@@ -129,7 +122,7 @@ def _follow_cached(
         if len(rows) == 0:
             continue
         fate = run_branch(
-            branch(batch, moments, rows, team, dict(settings)), moments.robot[rows], batch, begun, random_sides
+            sampled.branch(batch, moments, rows, team, dict(settings)), moments.robot[rows], batch, begun, random_sides
         )
         at = (moments.match[rows], place[rows])
         for name, values in fate.items():
@@ -155,12 +148,6 @@ def run_branch(match: Match, robots: np.ndarray, batch: Batch, begun: bool, rand
                 memory["side"][steps] = side[steps]
     match.close()
     return fate.found
-
-
-def index_within_match(moments: Moments) -> np.ndarray:
-    """Return the index of each moment within its match."""
-    before = moments.match[:, None] == moments.match[None, :]
-    return np.asarray(np.tril(before, -1).sum(axis=1))
 
 
 def select_moments(found: Samples, **flags: float) -> np.ndarray:

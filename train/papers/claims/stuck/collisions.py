@@ -1,6 +1,5 @@
 """Collisions on the way to the ball: their frequency and duration; stealing the ball by one.  [Sacks 2001, 1, 3, 4]"""
 
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -8,10 +7,11 @@ import numpy as np
 from soccer_env.baselines.sacks_2001.memory import APPROACH
 from soccer_env.match import Match
 from soccer_env.teams import make_team
-from soccer_env.train.papers.claim import PLAYED, PLAYED_AND_STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import PLAYED, PLAYED_AND_STAGED, Batch, claim
 from soccer_env.train.papers.claims.stuck.branches import count_hits, follow_moments
 from soccer_env.train.papers.claims.stuck.runs import set_up_converging
 from soccer_env.train.papers.claims.stuck.sampled import MotionWindow, behaviours
+from soccer_env.train.papers.plots import plot_shares
 from soccer_env.train.papers.staging import begin_scene, kick_off, play, point_ahead, put, put_ball, stage
 from soccer_env.train.papers.values import mean, median, percent
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
@@ -53,19 +53,16 @@ def contacts(batch: Batch) -> Samples:
     return {"episodes": 0.5 * episodes, **in_seconds, "approaches": approaches, "met": met}
 
 
-S01 = Claim(
-    id="S01", section="abstract, 1",
-    statement="Three or four robots often head for the ball at once, and collisions are common.",
-    method=f"{MATCHES} matches a batch of 3 v 3, {SECONDS:g} s each, sacks-2001 without recovery and avoidance: "
+S01 = claim(
+    "S01", "abstract, 1", "Three or four robots often head for the ball at once, and collisions are common.",
+    f"{MATCHES} matches a batch of 3 v 3, {SECONDS:g} s each, sacks-2001 without recovery and avoidance: "
     f"contacts after {PART:g} s without, of two robots each; time with {CROWD} robots and more within {100 * NEAR:.0f} "
     "cm of the ball; approaches to the ball in which the robot touches another.",
-    criteria=(
-        measured("contact episodes a minute and match", lambda s: mean(s["episodes"]) * 60.0 / SECONDS, at_least=1.0),
-        measured("time with three robots and more near the ball", lambda s: 100.0 * mean(s["crowded"]) / SECONDS,
-                 unit="%", at_least=10.0),
-        counted("approaches in which the robot touches another", "met", "approaches", at_least=20.0),
-        reported("time with some robots in contact", lambda s: 100.0 * mean(s["touching"]) / SECONDS, unit="%"),
-    ),
+    measured("contact episodes a minute and match", lambda s: mean(s["episodes"]) * 60.0 / SECONDS, at_least=1.0),
+    measured("time with three robots and more near the ball", lambda s: 100.0 * mean(s["crowded"]) / SECONDS,
+             unit="%", at_least=10.0),
+    counted("approaches in which the robot touches another", "met", "approaches", at_least=20.0),
+    reported("time with some robots in contact", lambda s: 100.0 * mean(s["touching"]) / SECONDS, unit="%"),
     rules=PLAYED, measure=contacts, batches=8, seconds=4.0,
     ingredients=("sacks-2001: one attacker, the others support", "recovery=False, avoidance=False"),
 )  # fmt: skip
@@ -101,36 +98,27 @@ def compare_deadlocks(batch: Batch) -> Samples:
     return {**off, **{f"{name} on": values for name, values in on.items()}, **padded, "one": np.ones(PAIRS)}
 
 
-def deadlock_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the share of held pairs that do not have the ball yet against the time."""
-    grid = np.linspace(0.0, DEADLOCK, 41)
-    curves = []
-    for name, title in (("", "no detection"), (" on", "detection and recovery")):
-        until = samples[f"until{name}"][samples[f"held{name}"] == 1.0]
-        curves.append(Curve(title, grid.tolist(), [100.0 * mean(until > t) for t in grid]))
-    return (
-        Figure("Two robots held short of a still ball", "time [s]", "without ball [%]", tuple(curves), rules=(80.0,)),
-    )
-
-
-S03 = Claim(
-    id="S03", section="3",
-    statement="Two robots pushing against each other over a still ball would both stay there.",
-    method=f"{PAIRS} pairs a batch, both sacks-2001 without the stuck counters, go for a still ball 50 to 70 cm before "
+S03 = claim(
+    "S03", "3", "Two robots pushing against each other over a still ball would both stay there.",
+    f"{PAIRS} pairs a batch, both sacks-2001 without the stuck counters, go for a still ball 50 to 70 cm before "
     "their cameras, from ways that meet at 30 to 120 degrees; of those in which a robot comes to be held short of it "
     "(contact, and in 1.5 s no nearer to it than by a quarter of what its legs walk): neither has had the ball "
     f"{DEADLOCK:g} s later, and the ball has not moved. Beside it robots that are held in 3 v 3 play.",
-    criteria=(
-        counted("held pairs without the ball 20 s later, the ball where it lay", "stuck", "held", at_least=80.0),
-        reported("the same wherever the ball is then", percent, "without", "held", unit="%"),
-        reported("pairs that come to be held", percent, "held", "one", unit="%"),
-        reported("median time until one has the ball (20: nobody)", lambda s: median(np.minimum(s["until"], DEADLOCK)),
-                 unit="s"),
-        reported("held pairs without the ball 20 s later, with recovery", percent, "without on", "held on", unit="%"),
-        reported("robots held in play, not free 20 s later", percent, "play bound", "play", unit="%"),
-        reported("the same where the ball lay still", percent, "lay bound", "lay", unit="%"),
-    ),
-    rules=PLAYED_AND_STAGED, measure=compare_deadlocks, figures=deadlock_figure, batches=12, seconds=4.0,
+    counted("held pairs without the ball 20 s later, the ball where it lay", "stuck", "held", at_least=80.0),
+    reported("the same wherever the ball is then", percent, "without", "held", unit="%"),
+    reported("pairs that come to be held", percent, "held", "one", unit="%"),
+    reported("median time until one has the ball (20: nobody)", lambda s: median(np.minimum(s["until"], DEADLOCK)),
+             unit="s"),
+    reported("held pairs without the ball 20 s later, with recovery", percent, "without on", "held on", unit="%"),
+    reported("robots held in play, not free 20 s later", percent, "play bound", "play", unit="%"),
+    reported("the same where the ball lay still", percent, "lay bound", "lay", unit="%"),
+    rules=PLAYED_AND_STAGED, measure=compare_deadlocks,
+    figures=plot_shares("Two robots held short of a still ball", "time [s]", "without ball [%]",
+                        np.linspace(0.0, DEADLOCK, 41),
+                        {"no detection": lambda s: s["until"][s["held"] == 1.0],
+                         "detection and recovery": lambda s: s["until on"][s["held on"] == 1.0]}, np.greater,
+                        rules=(80.0,)),
+    batches=12, seconds=4.0,
     ingredients=("friction of bodies and ball", "bodies are a trunk and four posts, which can interlock"),
     note="Bodies slide past each other: three in ten pairs are held short of the ball at all, and half of these have "
     "it a second later. Where they stay together they push the ball on before both of them, and come no nearer. "
@@ -192,21 +180,18 @@ def compare_avoidance(batch: Batch) -> Samples:
     return {**found, "called": 0.5 * (on_called + off_called), "one": np.ones(STEALS)}
 
 
-S30 = Claim(
-    id="S30", section="4",
-    statement="While chasing the ball a collision can help: avoid others only in possession.",
-    method=f"{STEALS} scenes a batch: an opponent (sacks-2001) has the ball between its paws, a robot 50 to 80 cm "
+S30 = claim(
+    "S30", "4", "While chasing the ball a collision can help: avoid others only in possession.",
+    f"{STEALS} scenes a batch: an opponent (sacks-2001) has the ball between its paws, a robot 50 to 80 cm "
     f"before it goes for it, walking round others or not; who has the ball alone within {STEAL_TIME:g} s, and who "
     "because the opponent lost it in contact with the robot. A whistle against one of them, a dropped ball and being "
     "pulled apart end a scene that nobody has won.",
-    criteria=(
-        counted("not avoiding: balls won by contact", "contact", "one", at_least=1.0),
-        reported("avoiding: balls won by contact", "on contact", unit="%"),
-        reported("balls won without avoidance", "off", unit="%"),
-        reported("balls won with avoidance", "on", unit="%"),
-        reported("scenes that the referee ended", "called", unit="%"),
-        reported("balls won: not avoiding less avoiding", lambda s: 100.0 * mean(s["off"] - s["on"]), unit="pp"),
-    ),
+    counted("not avoiding: balls won by contact", "contact", "one", at_least=1.0),
+    reported("avoiding: balls won by contact", "on contact", unit="%"),
+    reported("balls won without avoidance", "off", unit="%"),
+    reported("balls won with avoidance", "on", unit="%"),
+    reported("scenes that the referee ended", "called", unit="%"),
+    reported("balls won: not avoiding less avoiding", lambda s: 100.0 * mean(s["off"] - s["on"]), unit="pp"),
     rules=PLAYED, measure=compare_avoidance, batches=16, seconds=3.0,
     ingredients=("how the team walks round others: soccer_env/skills/moves.py",),
 )  # fmt: skip

@@ -5,10 +5,10 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.papers.claim import PLAYED_AND_STAGED, Ablation, Batch, Claim
+from soccer_env.train.papers.claim import PLAYED_AND_STAGED, Ablation, Batch, claim
 from soccer_env.train.papers.claims.stuck.branches import FUTURE, count_hits, follow_moments
 from soccer_env.train.papers.claims.stuck.sampled import MATCHES, SECONDS
-from soccer_env.train.papers.plots import plot, plot_done
+from soccer_env.train.papers.plots import columns, plot, plot_shares
 from soccer_env.train.papers.values import mean, percent
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
@@ -48,30 +48,25 @@ def measure_held_again(batch: Batch, way_back: bool = False) -> Samples:
 BACK_PACE = 0.10 / 0.12  # [1] of the top speeds back and ahead
 
 
-def held_again_shares(samples: Samples) -> list[float]:
-    """Return the share of robots held again [%] for each number of steps back."""
-    return [100.0 * mean(samples["again"][..., i]) for i in range(len(BACK_STEPS))]
+held_again = columns("again")  # [%] for each number of steps back
 
 
 def ten_steps_ratio(samples: Samples) -> float:
     """Return the share held again after 10 steps back over the mean share after 2 and 5; NaN: no robot is held."""
-    two, five, ten, _ = held_again_shares(samples)
+    two, five, ten, _ = held_again(samples)
     return ten / (0.5 * (two + five)) if two + five > 0.0 else float("nan")
 
 
-S26 = Claim(
-    id="S26", section="3.4",
-    statement="Ten steps back exceed the need, but prevent getting stuck again at once.",
-    method=SCENE + f"with {', '.join(map(str, BACK_STEPS))} steps back: who is held again within {AGAIN:g} s after the "
+S26 = claim(
+    "S26", "3.4", "Ten steps back exceed the need, but prevent getting stuck again at once.",
+    SCENE + f"with {', '.join(map(str, BACK_STEPS))} steps back: who is held again within {AGAIN:g} s after the "
     "recovery.",
-    criteria=(
-        measured("held again after 10 steps over the mean of 2 and 5", ten_steps_ratio, at_most=0.5),
-        *(reported(f"held again after {steps} steps back", lambda s, i: held_again_shares(s)[i], i, unit="%")
-          for i, steps in enumerate(BACK_STEPS)),
-    ),
+    measured("held again after 10 steps over the mean of 2 and 5", ten_steps_ratio, at_most=0.5),
+    *(reported(f"held again after {steps} steps back", "again", i, unit="%")
+      for i, steps in enumerate(BACK_STEPS)),
     rules=PLAYED_AND_STAGED, measure=measure_held_again,
     figures=plot("Held again after a recovery", "steps back", "robots [%]", BACK_STEPS,
-                 {"held again within 5 s": held_again_shares}),
+                 {"held again within 5 s": held_again}),
     least=4, batches=12, seconds=4.0,
     without=Ablation("the way back counted in the five seconds, as here it is not",
                      partial(measure_held_again, way_back=True)),
@@ -102,25 +97,22 @@ def misalignment_change(samples: Samples, name: str = "", until: str = "at ball"
     return mean(samples[f"{until}{name}"] - samples[f"before{name}"])
 
 
-S27 = Claim(
-    id="S27", section="3.4",
-    statement="The sidestep does not always clear the obstacle, but positions the robot to shoot.",
-    method=SCENE + f"those that step aside: who is not held again within {CLEAR:g} s after the recovery has cleared "
+S27 = claim(
+    "S27", "3.4", "The sidestep does not always clear the obstacle, but positions the robot to shoot.",
+    SCENE + f"those that step aside: who is not held again within {CLEAR:g} s after the recovery has cleared "
     "the way. Angle between the ways from robot to ball and from ball to goal, before and when the robot has the ball; "
     "beside it a side drawn at random, and the angle right after the recovery.",
-    criteria=(
-        counted("cleared the obstacle", "clear", "aside", at_least=50.0, at_most=95.0),
-        measured("change of the misalignment until the robot has the ball", misalignment_change, unit="deg", below=0.0),
-        measured("misalignment when it has the ball, less that with a random side",
-                 lambda s: mean(s["at ball"] - s["at ball either"]), unit="deg", below=0.0),
-        reported("cleared with a random side", percent, "clear either", "aside either", unit="%"),
-        reported("the same change with a random side", misalignment_change, " either", unit="deg"),
-        reported("change of the misalignment by the recovery alone", partial(misalignment_change, until="after"),
-                 unit="deg"),
-        reported("misalignment right after it, less that with a random side",
-                 lambda s: mean(s["after"]) - mean(s["after either"]), unit="deg"),
-        reported("misalignment before", "before", unit="deg"),
-    ),
+    counted("cleared the obstacle", "clear", "aside", at_least=50.0, at_most=95.0),
+    measured("change of the misalignment until the robot has the ball", misalignment_change, unit="deg", below=0.0),
+    measured("misalignment when it has the ball, less that with a random side",
+             lambda s: mean(s["at ball"] - s["at ball either"]), unit="deg", below=0.0),
+    reported("cleared with a random side", percent, "clear either", "aside either", unit="%"),
+    reported("the same change with a random side", misalignment_change, " either", unit="deg"),
+    reported("change of the misalignment by the recovery alone", partial(misalignment_change, until="after"),
+             unit="deg"),
+    reported("misalignment right after it, less that with a random side",
+             lambda s: mean(s["after"]) - mean(s["after either"]), unit="deg"),
+    reported("misalignment before", "before", unit="deg"),
     rules=PLAYED_AND_STAGED, measure=compare_sides, least=4, batches=12, seconds=3.0,
     ingredients=(HELD, "side_steps 5: assumed"),
     note="The paper speaks of the moment at which the robot reaches the ball. Right after the recovery a robot is "
@@ -169,34 +161,30 @@ def repeated_recovery_share(samples: Samples) -> float:
     return 100.0 * mean(np.where(np.isnan(tries), np.nan, tries > 1.0))
 
 
-S29 = Claim(
-    id="S29", section="3.4",
-    statement="The recovery seems relatively effective, though it sometimes takes a few tries.",
-    method=SCENE + "or push on: free is who walks as asked for 1 s, not recovering and in contact with nobody, or has "
+S29 = claim(
+    "S29", "3.4", "The recovery seems relatively effective, though it sometimes takes a few tries.",
+    SCENE + "or push on: free is who walks as asked for 1 s, not recovering and in contact with nobody, or has "
     f"the ball alone. Beside it the same when they notice by themselves, and the ball got within {FUTURE:g} s.",
-    criteria=(
-        counted("free after at most three tries", "few", "one", at_least=90.0),
-        measured("cases that take more than one try, until it has the ball", repeated_recovery_share, unit="%",
-                 at_least=5.0),
-        measured("free within 10 s: recovering less pushing on", recovery_gain, unit="pp", above=0.0),
-        reported("free within 10 s, pushing on", share_within, "freed off", FREE, {}, unit="%"),
-        reported("when they notice by themselves: free within 10 s, less pushing on", partial(recovery_gain, word="on"),
-                 unit="pp"),
-        reported("noticing after 5 readings and 1 s near the ball: free within 10 s, less pushing on",
-                 partial(recovery_gain, word="quick"), unit="pp"),
-        reported("the same: ball got, less pushing on", recovery_gain, "got", "quick", unit="pp"),
-        *(reported(f"{title}: free within 10 s, recovering less pushing on", partial(recovery_gain, flags=flags),
-                   unit="pp") for title, flags in SITUATIONS.items()),
-        *(reported(f"{title}: ball got, recovering less pushing on", partial(recovery_gain, name="got", flags=flags),
-                   unit="pp") for title, flags in {"all": {}, **SITUATIONS}.items()),
-        reported("goals in 100, recovering less pushing on",
-                 lambda s: 100.0 * (mean(s["goals begun"]) - mean(s["goals off"]))),
-    ),
+    counted("free after at most three tries", "few", "one", at_least=90.0),
+    measured("cases that take more than one try, until it has the ball", repeated_recovery_share, unit="%",
+             at_least=5.0),
+    measured("free within 10 s: recovering less pushing on", recovery_gain, unit="pp", above=0.0),
+    reported("free within 10 s, pushing on", share_within, "freed off", FREE, {}, unit="%"),
+    reported("when they notice by themselves: free within 10 s, less pushing on", partial(recovery_gain, word="on"),
+             unit="pp"),
+    reported("noticing after 5 readings and 1 s near the ball: free within 10 s, less pushing on",
+             partial(recovery_gain, word="quick"), unit="pp"),
+    reported("the same: ball got, less pushing on", recovery_gain, "got", "quick", unit="pp"),
+    *(reported(f"{title}: free within 10 s, recovering less pushing on", partial(recovery_gain, flags=flags),
+               unit="pp") for title, flags in SITUATIONS.items()),
+    *(reported(f"{title}: ball got, recovering less pushing on", partial(recovery_gain, name="got", flags=flags),
+               unit="pp") for title, flags in {"all": {}, **SITUATIONS}.items()),
+    reported("goals in 100, recovering less pushing on",
+             lambda s: 100.0 * (mean(s["goals begun"]) - mean(s["goals off"]))),
     rules=PLAYED_AND_STAGED, measure=compare_recoveries, condition="where the recovery is begun for the robot",
-    figures=plot_done("Robots held in play: free by when", "robots [%]", np.linspace(0.0, FUTURE, 49),
-                      {f"freed {word}": title
-                       for word, title in (("begun", "recover at once"), ("on", "recover when they notice"),
-                                           ("off", "push on"))}),
+    figures=plot_shares("Robots held in play: free by when", "time [s]", "robots [%]", np.linspace(0.0, FUTURE, 49),
+                        {"recover at once": "freed begun", "recover when they notice": "freed on",
+                         "push on": "freed off"}),
     least=4, batches=12, seconds=3.0,
     ingredients=(HELD, "side_steps 5: assumed"),
     note="A robot that backs off comes free more often than one that pushes on, most of all where the ball lies still, "

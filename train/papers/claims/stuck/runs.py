@@ -13,7 +13,7 @@ from soccer_env.match import Match
 from soccer_env.match.staging import constants_of, memory_of, set_mass, team_settings_of
 from soccer_env.teams import make_team
 from soccer_env.train.papers.claim import Batch
-from soccer_env.train.papers.staging import LEGGED, begin_scene, point_ahead, put, put_ball, stage
+from soccer_env.train.papers.staging import begin_scene, point_ahead, put, put_ball, stage, stage_team
 
 HEAVY = 1e4  # [kg], [kg m2]
 NO_GRIP = 1e-6  # [m/s2] traction of legs that slip on the spot
@@ -25,10 +25,9 @@ WAYS = 0.4  # [rad] of a blocked path off the goal's direction, at most
 START = -0.9  # [m] x of the robot at the start
 
 
-def set_up_seekers(batch: Batch, matches: int, others: int = 1, **settings: Any) -> Match:
-    """Set up matches in which sacks-2001, with the given settings, plays robot 0, and opponents stand still."""
-    sides = {"home": make_team("sacks-2001", **settings), "away": "still"}
-    return stage(batch, LEGGED, matches=matches, away=others, controllers=sides)
+def set_up_seekers(batch: Batch, matches: int, **settings: Any) -> Match:
+    """Set up matches in which sacks-2001, with the given settings, plays robot 0, and an opponent stands still."""
+    return stage_team(batch, "sacks-2001", settings, matches=matches)
 
 
 def is_recovering(match: Match) -> np.ndarray:
@@ -64,7 +63,7 @@ def set_up_converging(batch: Batch, matches: int, **settings: Any) -> Match:
     """
     rng = batch.rng(4)
     team = make_team("sacks-2001", **settings)
-    match = stage(batch, LEGGED, matches=matches, controllers={"home": team, "away": team}, keeper=0)
+    match = stage(batch, matches=matches, controllers={"home": team, "away": team}, keeper=0)
     x, y = rng.uniform(-0.5, 0.5, matches), rng.uniform(-0.3, 0.3, matches)
     way, between = rng.uniform(-np.pi, np.pi, matches), rng.choice([-1.0, 1.0], matches) * rng.uniform(*ANGLE, matches)
     for r, off in ((0, 0.0), (1, between)):

@@ -12,10 +12,9 @@ import numpy as np
 
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.train.evaluate.report import table
-from soccer_env.train.papers.claim import PLAYED_AND_STAGED, STAGED, Batch, Claim, Curve, Figure
+from soccer_env.train.papers.claim import PLAYED_AND_STAGED, STAGED, Batch, Curve, Figure, claim
 from soccer_env.train.papers.claims.stuck.branches import count_hits, follow_moments
-from soccer_env.train.papers.claims.stuck.detection import FARTHEST, NEAREST, WALK, latencies
-from soccer_env.train.papers.claims.stuck.false_alarms import TRIES, approach
+from soccer_env.train.papers.claims.stuck.detection import FARTHEST, NEAREST, TRIES, WALK, approach, latencies
 from soccer_env.train.papers.values import percent
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
@@ -160,42 +159,36 @@ def measure_with_play(batch: Batch) -> Samples:
 
 SAME = reported("settings of 16 at which both S22 and S23 hold", settings_that_hold, "S22", "S23")
 
-S22 = Claim(
-    id="S22", section="3.3",
-    statement="Robots almost always notice within a few seconds that they are stuck.",
-    method=f"{SETTINGS_TEXT}. Beside it robots that others hold in 3 v 3 play (contact, a quarter of the way that "
+S22 = claim(
+    "S22", "3.3", "Robots almost always notice within a few seconds that they are stuck.",
+    f"{SETTINGS_TEXT}. Beside it robots that others hold in 3 v 3 play (contact, a quarter of the way that "
     "their legs walk for 1.5 s).",
-    criteria=(
-        counted("ball at 20 to 60 cm: noticed within 5 s", "near soon", "near", partial(at_best_setting, claim="S22"),
-                at_least=NOTICED),
-        counted("ball at 20 to 80 cm: noticed within 8 s", "all late", "all", partial(at_best_setting, claim="S22"),
-                at_least=NOTICED_LATE),
-        counted("approaches that nothing stops: false alarms", "two", "approaches",
-                partial(at_best_setting, claim="S22"), at_most=FALSE),
-        SAME,
-        reported("at 9 readings and 8 s: noticed within 5 s", of_team, "near soon", "near", unit="%"),
-        reported("at 9 readings and 8 s: noticed within 8 s", of_team, "all late", "all", unit="%"),
-        *(reported(f"held in play, 9 readings and 8 s: noticed within {name}", percent, f"known {name}",
-                   f"robots {name}", unit="%") for name in PLAY_TIMES),
-    ),
+    counted("ball at 20 to 60 cm: noticed within 5 s", "near soon", "near", partial(at_best_setting, claim="S22"),
+            at_least=NOTICED),
+    counted("ball at 20 to 80 cm: noticed within 8 s", "all late", "all", partial(at_best_setting, claim="S22"),
+            at_least=NOTICED_LATE),
+    counted("approaches that nothing stops: false alarms", "two", "approaches",
+            partial(at_best_setting, claim="S22"), at_most=FALSE),
+    SAME,
+    reported("at 9 readings and 8 s: noticed within 5 s", of_team, "near soon", "near", unit="%"),
+    reported("at 9 readings and 8 s: noticed within 8 s", of_team, "all late", "all", unit="%"),
+    *(reported(f"held in play, 9 readings and 8 s: noticed within {name}", percent, f"known {name}",
+               f"robots {name}", unit="%") for name in PLAY_TIMES),
     rules=PLAYED_AND_STAGED, measure=measure_with_play, condition="at a setting that the paper does not tell",
     figures=surface_figures, batches=6, seconds=12.0,
     ingredients=("near_zero and clearly: assumed", "a held robot sees the ball throughout"),
     note=surface_table,
 )  # fmt: skip
 
-S23 = Claim(
-    id="S23", section="3.3",
-    statement="One counter often raises false alarms near the ball; the second remedies this.",
-    method=f"{SETTINGS_TEXT}; with one counter and with two.",
-    criteria=(
-        counted("one counter: approaches with a false alarm", "one", "approaches",
-                partial(at_best_setting, claim="S23"), at_least=OFTEN),
-        measured("alarms with one counter over those with two", alarm_ratio, at_least=FEWER),
-        SAME,
-        reported("at 9 readings and 8 s, one counter: false alarms", of_team, "one", "approaches", unit="%"),
-        reported("at 9 readings and 8 s, two counters: false alarms", of_team, "two", "approaches", unit="%"),
-    ),
+S23 = claim(
+    "S23", "3.3", "One counter often raises false alarms near the ball; the second remedies this.",
+    f"{SETTINGS_TEXT}; with one counter and with two.",
+    counted("one counter: approaches with a false alarm", "one", "approaches",
+            partial(at_best_setting, claim="S23"), at_least=OFTEN),
+    measured("alarms with one counter over those with two", alarm_ratio, at_least=FEWER),
+    SAME,
+    reported("at 9 readings and 8 s, one counter: false alarms", of_team, "one", "approaches", unit="%"),
+    reported("at 9 readings and 8 s, two counters: false alarms", of_team, "two", "approaches", unit="%"),
     measure=measure_settings, condition="at a setting that the paper does not tell", figures=surface_figures, batches=6,
     seconds=12.0,
     ingredients=("near_step 0.25, near_zero and clearly: assumed",),

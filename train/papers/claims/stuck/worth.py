@@ -10,11 +10,11 @@ import numpy as np
 from soccer_env.match import Match
 from soccer_env.match.staging import memory_of
 from soccer_env.teams import make_team
-from soccer_env.train.papers.claim import PLAYED_AND_STAGED, Batch, Claim
+from soccer_env.train.papers.claim import PLAYED_AND_STAGED, Batch, claim
 from soccer_env.train.papers.claims.stuck.branches import follow_moments
 from soccer_env.train.papers.claims.stuck.runs import set_up_blocked_path, set_up_converging
 from soccer_env.train.papers.claims.stuck.sampled import MATCHES
-from soccer_env.train.papers.plots import plot_done
+from soccer_env.train.papers.plots import plot_shares
 from soccer_env.train.papers.staging import begin_scene, kick_off, play, point_ahead, put_ball, stage_drill
 from soccer_env.train.papers.values import mean, percent
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
@@ -87,33 +87,30 @@ def mean_time(samples: Samples, word: str) -> float:
     return mean(np.minimum(times, WITHIN))
 
 
-S02 = Claim(
-    id="S02", section="1",
-    statement="Avoiding collisions and recovering reaches the ball sooner and more reliably; collisions slow play.",
-    method=f"Robots that others hold in 3 v 3 play, {MATCHES} matches a batch: from there on with the stuck counters "
+S02 = claim(
+    "S02", "1", "Avoiding collisions and recovering reaches the ball sooner and more reliably; collisions slow play.",
+    f"Robots that others hold in 3 v 3 play, {MATCHES} matches a batch: from there on with the stuck counters "
     f"and recovery and without, all else the same, ball got (no opponent has it) in {WITHIN:g} s. Referee's calls of a "
     f"stuck ball in {MATCHES} matches of {PLAY:g} s, both sides with or without. Beside it, each by itself, {RUNS} "
     f"runs a batch of staged tasks, ball got within {LONGEST:g} s: blocker (drill ball-behind-robot), wall "
     "(facing-wall), post (one in the way whom nobody pushes aside), pair (two that converge on a still ball: S03).",
-    criteria=(
-        measured("held in play: success with recovery less without",
-                 lambda s: task_success(s, "on") - task_success(s, "off"), unit="pp", at_least=20.0),
-        measured(f"held in play: mean time to the ball ({WITHIN:g} s for who does not get it), with less without",
-                 lambda s: mean_time(s, "on") - mean_time(s, "off"), unit="s", below=0.0),
-        measured("stuck balls a minute of play, with less without",
-                 lambda s: (mean(s["calls on"]) - mean(s["calls off"])) * 60.0 / PLAY, below=0.0),
-        reported("held in play: success without", task_success, "off", unit="%"),
-        reported("held in play: goals in 100, with less without",
-                 lambda s: 100.0 * (mean(s["goals on"]) - mean(s["goals off"]))),
-        *(reported(f"success, {name}, recovery {word}", task_success, word, name, unit="%") for name in TASKS
-          for word in WAYS),
-        reported("stuck balls a minute without recovery", lambda s: mean(s["calls off"]) * 60.0 / PLAY),
-        reported("robots pulled apart a minute, with recovery", lambda s: mean(s["apart on"]) * 60.0 / PLAY),
-        reported("robots pulled apart a minute, without", lambda s: mean(s["apart off"]) * 60.0 / PLAY),
-    ),
+    measured("held in play: success with recovery less without",
+             lambda s: task_success(s, "on") - task_success(s, "off"), unit="pp", at_least=20.0),
+    measured(f"held in play: mean time to the ball ({WITHIN:g} s for who does not get it), with less without",
+             lambda s: mean_time(s, "on") - mean_time(s, "off"), unit="s", below=0.0),
+    measured("stuck balls a minute of play, with less without",
+             lambda s: (mean(s["calls on"]) - mean(s["calls off"])) * 60.0 / PLAY, below=0.0),
+    reported("held in play: success without", task_success, "off", unit="%"),
+    reported("held in play: goals in 100, with less without",
+             lambda s: 100.0 * (mean(s["goals on"]) - mean(s["goals off"]))),
+    *(reported(f"success, {name}, recovery {word}", task_success, word, name, unit="%") for name in TASKS
+      for word in WAYS),
+    reported("stuck balls a minute without recovery", lambda s: mean(s["calls off"]) * 60.0 / PLAY),
+    reported("robots pulled apart a minute, with recovery", lambda s: mean(s["apart on"]) * 60.0 / PLAY),
+    reported("robots pulled apart a minute, without", lambda s: mean(s["apart off"]) * 60.0 / PLAY),
     rules=PLAYED_AND_STAGED, measure=compare_with_recovery,
-    figures=plot_done("Who has the ball by when", "runs [%]", np.linspace(0.0, LONGEST, 41),
-                      {f"{name} {word}": f"{name}, recovery {word}" for name in ("play", *TASKS) for word in WAYS}),
+    figures=plot_shares("Who has the ball by when", "time [s]", "runs [%]", np.linspace(0.0, LONGEST, 41),
+                      {f"{name}, recovery {word}": f"{name} {word}" for name in ("play", *TASKS) for word in WAYS}),
     least=2, batches=6, seconds=5.0,
     ingredients=("opponents play sacks-2001 without the recovery", "where a robot stands between, it hides the ball"),
     note="Two explanations were tested. Held robots notice late: a quarter within 5 s, for both counters have to trip; "
@@ -166,28 +163,25 @@ def compare_turns_at_wall(batch: Batch) -> Samples:
     return samples
 
 
-S28 = Claim(
-    id="S28", section="3.4",
-    statement="With the ball over 30 degrees aside, as at a wall, backing away and rotating suffices.",
-    method=f"{WALL_RUNS} runs a batch: a robot faces out, a paw at the board's foot (drill facing-wall), the ball "
+S28 = claim(
+    "S28", "3.4", "With the ball over 30 degrees aside, as at a wall, backing away and rotating suffices.",
+    f"{WALL_RUNS} runs a batch: a robot faces out, a paw at the board's foot (drill facing-wall), the ball "
     f"{ASIDE[0]:g} to {ASIDE[1]:g} degrees aside, where its head sees it; of those that come to recover, got within "
     f"{LONGEST:g} s, with the rule and with sidesteps always; all of them, also without any recovery. Beside it the "
     "drill itself, the ball behind the robot. The paper: \"the robot need only back away from the wall and face the "
     "ball\"; it does not say that sidesteps would do worse.",
-    criteria=(
-        counted("those that recover: got the ball", "recovered rotate", "recovers", at_least=90.0),
-        measured("all: got the ball, less without any recovery",
-                 lambda s: 100.0 * mean(s["aside rotate"] - s["aside none"]), unit="pp", above=0.0),
-        reported("those that recover: got the ball, rotation less sidesteps",
-                 lambda s: percent(s, "recovered rotate", "recovers") - percent(s, "recovered sidestep", "recovers"),
-                 unit="pp"),
-        reported("all: got the ball", "aside rotate", unit="%"),
-        reported("all: got the ball without any recovery", "aside none", unit="%"),
-        reported("robots that recovered at all", lambda s: 100.0 * mean(s["aside tries"] > 0), unit="%"),
-        reported("ball behind: got", "behind rotate", unit="%"),
-        reported("ball behind: got without any recovery", "behind none", unit="%"),
-        reported("ball behind: robots that recovered at all", lambda s: 100.0 * mean(s["behind tries"] > 0), unit="%"),
-    ),
+    counted("those that recover: got the ball", "recovered rotate", "recovers", at_least=90.0),
+    measured("all: got the ball, less without any recovery",
+             lambda s: 100.0 * mean(s["aside rotate"] - s["aside none"]), unit="pp", above=0.0),
+    reported("those that recover: got the ball, rotation less sidesteps",
+             lambda s: percent(s, "recovered rotate", "recovers") - percent(s, "recovered sidestep", "recovers"),
+             unit="pp"),
+    reported("all: got the ball", "aside rotate", unit="%"),
+    reported("all: got the ball without any recovery", "aside none", unit="%"),
+    reported("robots that recovered at all", lambda s: 100.0 * mean(s["aside tries"] > 0), unit="%"),
+    reported("ball behind: got", "behind rotate", unit="%"),
+    reported("ball behind: got without any recovery", "behind none", unit="%"),
+    reported("ball behind: robots that recovered at all", lambda s: 100.0 * mean(s["behind tries"] > 0), unit="%"),
     measure=compare_turns_at_wall, batches=10, seconds=4.0,
     ingredients=("the counters run while the robot sees the ball and goes for it: what it searches for trips none",),
     note="At the board a turn is blocked, and who recovers gets away. Whether it then turns or steps aside matters "

@@ -12,8 +12,9 @@ from soccer_env.leagues import find_league
 from soccer_env.leagues.legged_sensors import RESOLUTIONS
 from soccer_env.match import Match
 from soccer_env.optics.head_camera import SMALLEST_HEIGHT, SMALLEST_WIDTH
+from soccer_env.train.papers import staging
 from soccer_env.train.papers.claim import Batch
-from soccer_env.train.papers.staging import LEGGED, distance_to_point, play, point_ahead, put, stage, wrap_angle
+from soccer_env.train.papers.staging import LEGGED
 from soccer_env.train.papers.true_sight import camera_of, look_at_point
 
 NONE = np.inf  # [m] gap to a player that nobody remembers
@@ -23,16 +24,11 @@ STICKER = find_league(LEGGED).sensors.trunk_sticker_middle  # [m] height at whic
 def stage_watchers(batch: Batch, matches: int, *, home: int = 1, away: int = 1, **settings: Any) -> Match:
     """Set up matches in which home uses its sensors, robot 0 stands in the middle, and there is no ball."""
     settings = {"senses": {"home": "sensors", "away": "ideal"}, "actions": "full", **settings}
-    match = stage(batch, matches=matches, home=home, away=away, **settings)
-    hide_ball(match)
-    put(match, 0, 0.0, 0.0, batch.rng(9).uniform(-np.pi, np.pi, matches))
-    return match
-
-
-def hide_ball(match: Match) -> None:
-    """Put the ball out of sight: far behind the boards, at rest."""
+    match = staging.stage(batch, matches=matches, home=home, away=away, **settings)
     for name, value in (("x", 50.0), ("y", 50.0), ("vx", 0.0), ("vy", 0.0), ("roll_x", 0.0), ("roll_y", 0.0)):
-        match.balls[name] = value
+        match.balls[name] = value  # far behind the boards, at rest
+    staging.put(match, 0, 0.0, 0.0, batch.rng(9).uniform(-np.pi, np.pi, matches))
+    return match
 
 
 def put_facing(match: Match, r: int, distance: Any, bearing: Any, view: Any) -> None:
@@ -40,14 +36,22 @@ def put_facing(match: Match, r: int, distance: Any, bearing: Any, view: Any) -> 
 
     View 0 is head-on, a half-turn is from behind.
     """
-    x, y = point_ahead(match, 0, distance, bearing)
-    put(match, r, x, y, wrap_angle(match.robots["heading"][:, 0] + bearing + np.pi - view))
+    x, y = staging.point_ahead(match, 0, distance, bearing)
+    staging.put(match, r, x, y, staging.wrap_angle(match.robots["heading"][:, 0] + bearing + np.pi - view))
+
+
+def stage_player(batch: Batch, matches: int, distance: Any, bearing: Any, view: Any, **settings: Any) -> Match:
+    """Set up matches (`stage_watchers`) with one opponent, robot 1, put as `put_facing` says, and begin the scene."""
+    match = stage_watchers(batch, matches, **settings)
+    put_facing(match, 1, distance, bearing, view)
+    staging.begin_scene(match)
+    return match
 
 
 def view_of(match: Match, r: int) -> np.ndarray:
     """Return the angle (M,) [rad] from which robot 0 sees robot r: 0 head-on, a half-turn from behind."""
     eye = match.robots[:, 0]
-    return distance_to_point(match, r, eye["x"], eye["y"])[1]
+    return staging.distance_to_point(match, r, eye["x"], eye["y"])[1]
 
 
 def look_at(match: Match, actions: np.ndarray, r: int = 1, height: float = STICKER) -> None:
@@ -55,12 +59,14 @@ def look_at(match: Match, actions: np.ndarray, r: int = 1, height: float = STICK
     look_at_point(match, actions, 0, match.robots["x"][:, r], match.robots["y"][:, r], height)
 
 
-def stare(match: Match, actions: np.ndarray, settle: float, seconds: float) -> Iterator[np.ndarray]:
-    """Let robot 0 stare at robot 1; after `settle` [s] yield their true distance (M,) [m] in each step of `seconds`."""
-    for step in play(match, settle + seconds, actions):
-        look_at(match, actions)
-        if step >= settle * match.league.control_rate:
-            yield distance_to_point(match, 0, match.robots["x"][:, 1], match.robots["y"][:, 1])[0]
+def distance_to_robot(match: Match, r: int = 1) -> np.ndarray:
+    """Return the true distance (M,) [m] of robot r from robot 0."""
+    return staging.distance_to_point(match, 0, match.robots["x"][:, r], match.robots["y"][:, r])[0]
+
+
+def stare(match: Match, actions: np.ndarray, settle: float, seconds: float) -> Iterator[int]:
+    """Let robot 0 stare at robot 1; yield each step of `seconds`, after `settle` [s] before them."""
+    return staging.watch(match, seconds, actions, settle, lambda step: look_at(match, actions))
 
 
 def slots_of(match: Match, teammates: bool = False) -> np.ndarray:
@@ -139,7 +145,7 @@ def blob_directions(match: Match) -> tuple[np.ndarray, np.ndarray]:
     up = (blobs["high"].astype(float) + blobs["low"]) / (SMALLEST_HEIGHT * finer) * np.tan(0.5 * s.view_height)
     ahead, high = np.cos(tilt) - up * np.sin(tilt), np.sin(tilt) + up * np.cos(tilt)
     there = blobs["area"] > 0
-    bearing, elevation = wrap_angle(pan + np.arctan2(left, ahead)), np.arctan2(high, np.hypot(ahead, left))
+    bearing, elevation = staging.wrap_angle(pan + np.arctan2(left, ahead)), np.arctan2(high, np.hypot(ahead, left))
     return np.where(there, bearing, np.nan), np.where(there, elevation, np.nan)
 
 
@@ -147,7 +153,7 @@ def distances_from_camera(match: Match, robots: Any) -> tuple[np.ndarray, np.nda
     """Return the true distances along the ground [m] and bearings [rad] (M, n) of some robots from robot 0's camera."""
     camera, _ = camera_of(match)
     dx, dy = match.robots["x"][:, robots] - camera[:, :1], match.robots["y"][:, robots] - camera[:, 1:2]
-    return np.hypot(dx, dy), wrap_angle(np.arctan2(dy, dx) - match.robots["heading"][:, :1])
+    return np.hypot(dx, dy), staging.wrap_angle(np.arctan2(dy, dx) - match.robots["heading"][:, :1])
 
 
 def blob_heights(match: Match) -> np.ndarray:
@@ -161,7 +167,7 @@ def blob_owners(match: Match, robots: Any) -> np.ndarray:
     """Return for each opponents' blob (M, blobs) the index in `robots` of the robot nearest sideways, -1: no blob."""
     bearing, _ = blob_directions(match)
     away, true = distances_from_camera(match, robots)
-    aside = np.abs(wrap_angle(bearing[:, :, None] - true[:, None, :])) * away[:, None, :]
+    aside = np.abs(staging.wrap_angle(bearing[:, :, None] - true[:, None, :])) * away[:, None, :]
     return np.where(np.isfinite(bearing), np.argmin(np.nan_to_num(aside, nan=NONE), axis=2), -1)
 
 
