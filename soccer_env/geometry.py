@@ -75,9 +75,9 @@ def atan2(y, x):
     steep = least > EIGHTH * most  # beyond half of an eighth of a turn: measured from an eighth
     t = (least - most) / (least + most) if steep else least / most
     z = t * t
-    w = z * z
-    even = z * (T0 + w * (T2 + w * (T4 + w * (T6 + w * (T8 + w * T10)))))
-    odd = w * (T1 + w * (T3 + w * (T5 + w * (T7 + w * T9))))
+    z2 = z * z
+    even = z * (T0 + z2 * (T2 + z2 * (T4 + z2 * (T6 + z2 * (T8 + z2 * T10)))))
+    odd = z2 * (T1 + z2 * (T3 + z2 * (T5 + z2 * (T7 + z2 * T9))))
     angle = (0.25 * pi if steep else 0.0) + (t - t * (even + odd))
     if abs(y) > abs(x):
         angle = 0.5 * pi - angle

@@ -11,7 +11,8 @@ from math import sqrt
 
 from soccer_env.compiled import compiled
 from soccer_env.geometry import atan2, cosine_and_sine, from_polar, out_of_frame
-from soccer_env.leagues.legged_sensors import SMALLEST_HEIGHT, SMALLEST_WIDTH
+
+SMALLEST_WIDTH, SMALLEST_HEIGHT = 44.0, 36.0  # [px] of the smallest layer; each step of resolution doubles them
 
 
 @compiled
