@@ -6,7 +6,7 @@ The first lines of an example name its packages, its result and its time. Make r
 extra `train` in a virtual environment under build/examples/.
 
 ppo_sb3.py          stable-baselines3 over `SoccerVecEnv`: a first win against `chaser`
-ppo_cleanrl.py      PPO in one file, straight on `Match`       mappo.py            MAPPO in one file, two robots
+ppo_cleanrl.py      PPO in one file, straight on `Match`
 ppo_tianshou.py     Tianshou over the Gymnasium id             cloning_minari.py   a Minari dataset of play, imitated
 empty_goal.py       the task that most of them learn, and its test
 monte_carlo.py      Monte Carlo search in branches of a match, which beats `chaser` in a drill

@@ -22,11 +22,9 @@ SOLO = {name: value for name, value in EMPTY_GOAL.items() if name not in ("leagu
 SOLO_ID = "soccer_env:soccer_env/MiddleSize2006-1v1-v0"  # the module first, so that worker processes find the id
 
 
-def share_scored(
-    act: Callable[[Any], Any], home: int = 1, action_repeat: int = 5, episodes: int = 200, observe: str = "truth"
-) -> float:
+def share_scored(act: Callable[[Any], Any], home: int = 1, action_repeat: int = 5, episodes: int = 200) -> float:
     """Return the share of episodes in which home scores; `act` maps observations (n, size) to actions (n, 4)."""
-    settings = {**EMPTY_GOAL, "action_repeat": action_repeat, "max_cycles": None, "observe": observe}
+    settings = {**EMPTY_GOAL, "action_repeat": action_repeat, "max_cycles": None}
     match = Match(**settings, home=home, matches=episodes, seed=1000)
     actions = np.zeros((episodes, home + 1, 4))  # the row of the opponent is ignored
     for _ in range(CONTROL_STEPS // action_repeat):  # a match that has ended stands still

@@ -9,7 +9,7 @@ pytest.importorskip("torch")
 pytest.importorskip("stable_baselines3")
 
 from soccer_env import Match
-from soccer_env.train.examples import mappo, ppo_cleanrl, ppo_sb3
+from soccer_env.train.examples import ppo_cleanrl, ppo_sb3
 from soccer_env.train.examples.empty_goal import EMPTY_GOAL, share_scored
 
 
@@ -27,11 +27,6 @@ def test_what_stable_baselines3_learned_is_saved_and_plays(tmp_path: Path) -> No
 @pytest.mark.slow
 def test_the_one_file_of_ppo_learns_the_same_from_the_same_seed() -> None:
     assert ppo_cleanrl.main(steps=4096, seed=3) == ppo_cleanrl.main(steps=4096, seed=3)
-
-
-@pytest.mark.slow
-def test_mappo_learns_the_same_from_the_same_seed() -> None:
-    assert mappo.main(steps=8192, seed=3) == mappo.main(steps=8192, seed=3)
 
 
 def test_the_measure_tells_a_robot_that_scores_from_one_that_stands() -> None:
