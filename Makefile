@@ -99,9 +99,9 @@ lock: $(VENV)/.has-base
 		--generate-hashes --no-header --no-annotate --upgrade --output-file requirements.lock
 
 # Each page of train/examples/ says in its first lines what it needs. STEPS=2000 runs them all in a shortened form;
-# `make -k examples` goes on after one that fails, `make example-mappo` runs one.
-HERE := mappo ppo_cleanrl ppo_sb3
-APART := cloning_minari ippo_agilerl mappo_benchmarl ppo_rllib ppo_supersuit ppo_tianshou ppo_torchrl
+# `make -k examples` goes on after one that fails, `make example-ppo_sb3` runs one.
+HERE := ppo_cleanrl ppo_sb3
+APART := cloning_minari ppo_tianshou
 EXAMPLE = bin/python -W ignore -m soccer_env.train.examples $* $(STEPS:%=--steps %)
 
 examples: $(HERE:%=example-%) $(APART:%=example-%)

@@ -1,7 +1,8 @@
 """A Minari dataset of scripted play, and behaviour cloning from it: how to score into an empty goal.
 
 Needs: minari[hdf5]==0.5.4
-Reached: the imitation scores in 91 % of 200 episodes after 5,000 updates, 20 s of the processor, with torch 2.13.0.
+Reached: the imitation scores in 96 % of 200 episodes (bar: 90 %) after 5,000 updates of seed 1, 78 s on a busy core;
+with torch 2.13.0.
 """
 
 import gymnasium

