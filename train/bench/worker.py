@@ -26,21 +26,24 @@ HOLD = 0.5  # [s] that a random action lasts: shorter ones cancel out and robots
 WARM_UP = 5.0  # [s] of play before the first timing
 DRAWS = 32  # sets of random actions, used in turn
 IDEAL, SENSING = {"senses": "ideal"}, {"senses": "sensors", "observe": "belief"}
+LOCATING = {**SENSING, "pose": "particles"}
 
 Sampler = Callable[[], float]  # returns the seconds of one step
 Makers = Mapping[str, Callable[[int, int], Sampler]]  # from how many matches and steps
 
 
-def core_timer(league: str, team: str | None, settings: Mapping[str, Any], matches: int, steps: int) -> Sampler:
+def core_timer(
+    league: str, team: str | None, settings: Mapping[str, Any], matches: int, steps: int, players: int = PLAYERS
+) -> Sampler:
     """Return a function that times the batched core [s per match step]: random actions, or a team against itself."""
     from soccer_env import Match
 
     rng, hold = np.random.default_rng(0), round(HOLD * LEAGUES[league])
     both = None if team is None else {"home": team, "away": team}
     match = Match(
-        league, home=PLAYERS, away=PLAYERS, matches=matches, seed=0, autoreset="same_step", controllers=both, **settings
+        league, home=players, away=players, matches=matches, seed=0, autoreset="same_step", controllers=both, **settings
     )
-    draws = rng.uniform(-1.0, 1.0, (DRAWS, matches, 2 * PLAYERS, 4))
+    draws = rng.uniform(-1.0, 1.0, (DRAWS, matches, 2 * players, 4))
     done = 0
 
     def play(count: int) -> None:
@@ -162,6 +165,8 @@ ROWS: Makers = {
         for name, maker in {
             "random, ideal": partial(core_timer, league, None, IDEAL),
             "random, observe belief": partial(core_timer, league, None, SENSING),
+            "random, particles": partial(core_timer, league, None, LOCATING),
+            "5 v 5, random, particles": partial(core_timer, league, None, LOCATING, players=5),
             "chaser v chaser, ideal": partial(core_timer, league, "chaser", IDEAL),
             "chaser v chaser, sensors": partial(core_timer, league, "chaser", {"senses": "sensors"}),
             "save and load": partial(save_timer, league),

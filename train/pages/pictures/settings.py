@@ -28,8 +28,8 @@ HEINEMANN: dict[str, Any] = {"league": MIDDLE_SIZE, "path": True}
 MOMENTS = (
     Moment(
         "match.gif",
-        {"home": "learned", "away": "chaser", "seed": 4, "minutes": 4.0},
-        {"start": 30.0, "seconds": 19.0, "width": 600, "speed": 4.0, "fps": 10.0},
+        {"home": "learned", "away": "chaser", "seed": 5, "minutes": 4.0},
+        {"start": 37.0, "seconds": 19.0, "width": 600, "speed": 4.0, "fps": 10.0},
     ),
     Moment(
         "middle-size.gif",
@@ -49,14 +49,14 @@ MOMENTS = (
     Moment(
         "field.png",
         {"scene": "dribble-past-two", "home": "sacks-2001", "seed": 1},
-        {"start": 6.0, "width": WIDTH, "robot": "home_0", "field": True, "path": True},
+        {"start": 3.0, "width": WIDTH, "robot": "home_0", "field": True, "path": True},
     ),
-    drill_moment("empty-goal", "chaser", 1, 5.0),
+    drill_moment("empty-goal", "chaser", 1, 2.5),
     drill_moment("shot-at-keeper", "chaser", 1, 0.6),
     drill_moment("dribble-past-three", "sacks-2001", 3, 13.5, path=True),
     drill_moment("head-on-push", "sacks-2001", 4, 2.0),
     drill_moment("ball-in-corner", "sacks-2001", 1, 8.0),
     drill_moment("receive-pass", "heinemann-2006", 1, 0.8, **HEINEMANN),
     drill_moment("three-v-one", "heinemann-2006", 1, 0.6, **HEINEMANN),
-    drill_moment("challenge-2003", "heinemann-2006", 1, 4.0, **HEINEMANN),
+    drill_moment("challenge-2003", "heinemann-2006", 1, 3.0, **HEINEMANN),
 )
