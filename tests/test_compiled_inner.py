@@ -95,3 +95,24 @@ def test_compiling_leaves_the_collector_of_garbage_as_it_was():
     before = gc.get_threshold()
     outer(8.0)
     assert gc.get_threshold() == before
+
+
+@compiled
+def times(x, count, negative):
+    return -x * count if negative else x * count
+
+
+@compiled
+def item(pair, index):
+    return pair[index]
+
+
+@compiled
+def with_constants(x):
+    return times(x, 2, True) + times(x, 3, negative=False) + times(x, int(x), x > 5.0) + item((x, "two"), 0)
+
+
+def test_constants_in_calls_need_no_version_of_their_own_unless_they_decide_types():
+    assert with_constants(4.0) == -8.0 + 12.0 + 16.0 + 4.0
+    assert [str(types) for types in times.overloads] == ["(float64, int64, bool)"]
+    assert len(item.overloads) == 1 and "Literal[int](0)" in str(*item.overloads)

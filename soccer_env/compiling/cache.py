@@ -28,6 +28,7 @@ import llvmlite
 import numba
 import numpy as np
 
+from soccer_env.compiling.announcing import COMPILED, announce
 from soccer_env.compiling.inner import INNER, InnerTarget, is_inner, is_inner_compile
 from soccer_env.compiling.numba_parts import Cache as Base
 from soccer_env.compiling.numba_parts import CachedResult as BaseResult
@@ -37,7 +38,6 @@ from soccer_env.compiling.stops import stop_here
 
 DIGEST = hashlib.sha256().digest_size  # [bytes]
 STALE_AFTER = 30 * 24 * 3600.0  # [s] assumed; code of older sources is deleted at this age
-EVERY = 20.0  # [s] between two lines of progress, at least
 VERSIONS = (numba.__version__, llvmlite.__version__, np.__version__, sys.implementation.cache_tag)
 SETTINGS = ("OPT", "BOUNDSCHECK", "DEBUGINFO_DEFAULT")  # settings of numba.config that change the code
 
@@ -109,12 +109,13 @@ class SourceCache(Base):  # type: ignore[misc]
                 payload = _load(folder / self._file_name(stamp, key), key)
                 if payload is not None:
                     return self._result.rebuild(target_context, payload)
-        _announce_compiling()
+        announce(cache_folders())
+        COMPILED.expect(self._function)
         return None
 
     def save_overload(self, sig: Any, data: Any) -> None:
         """Store a compile result, unless a source file has changed since this process read it."""
-        _count_compiled()
+        COMPILED.count()
         stamp, key = self._key(sig, data.codegen, is_inner(data))
         if key is None or not self._result.check_cachable(data):
             return
@@ -142,9 +143,18 @@ class SourceCache(Base):  # type: ignore[misc]
         return f"{self.name}.{stamp[:16]}.{_sha(str(key).encode())[:16]}.nbc"
 
     def _outdated(self, folder: Path, stamp: str) -> Iterator[Path]:
-        for file in folder.glob(f"{self.name}.*"):
-            if stamp[:16] not in file.name and time.time() - file.stat().st_mtime > STALE_AFTER:
-                yield file
+        for name in _older_files(folder).get(self.name, ()):
+            if stamp[:16] not in name and time.time() - (folder / name).stat().st_mtime > STALE_AFTER:
+                yield folder / name
+
+
+@functools.cache
+def _older_files(folder: Path) -> dict[str, list[str]]:
+    """Return {name of a function: its files} of a folder, as it is when this process first stores code."""
+    files: dict[str, list[str]] = {}
+    for name in os.listdir(folder):
+        files.setdefault(name.rsplit(".", 3)[0], []).append(name)
+    return files
 
 
 def _function_hashes(function: Callable[..., Any], outer: tuple[Any, ...] = ()) -> tuple[str, ...] | None:
@@ -258,34 +268,3 @@ def _delete(files: Iterable[Path]) -> None:
     with contextlib.suppress(OSError):
         for file in files:
             file.unlink(missing_ok=True)
-
-
-@functools.cache
-def _announce_compiling() -> None:
-    """Print once per process that compiling takes a while."""
-    if os.environ.get("SOCCER_ENV_QUIET", "0") not in ("", "0"):
-        return
-    filled = any(folder.is_dir() and any(folder.iterdir()) for folder in cache_folders())
-    what = "what is new" if filled else "kernels (once, about a minute)"
-    COMPILED.said = COMPILED.began = time.monotonic()
-    print(f"{PACKAGE}: compiling {what} ...", file=sys.stderr, flush=True)
-
-
-class CompileProgress:
-    """The progress of compiling in this process: number of compiled functions, and times of messages."""
-
-    functions = 0  # compiled versions of functions, without those from disk
-    began = said = float("inf")  # [s] time of the announcement, and of the last line of progress
-
-
-COMPILED = CompileProgress()
-
-
-def _count_compiled() -> None:
-    """Count a compiled function, and sometimes print the progress."""
-    COMPILED.functions += 1
-    now = time.monotonic()
-    if now - COMPILED.said >= EVERY:
-        COMPILED.said = now
-        words = f"{COMPILED.functions} functions in {now - COMPILED.began:.0f} s"
-        print(f"{PACKAGE}: compiling ... {words}", file=sys.stderr, flush=True)

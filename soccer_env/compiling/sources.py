@@ -19,15 +19,22 @@ OUTSIDE_FOLDERS = ("baselines", "agents", "train")  # beside the package in a ch
 STARTED = time.time_ns()  # [ns] a file changed after this moment may differ from the imported module
 
 
+_stamps: dict[tuple[str, Path], str] = {}
+
+
 def source_stamp(module: str, path: Path) -> str | None:
     """Return one hash over `path` and all files that it depends on; None if a file changed since the process began."""
+    known = _stamps.get((module, path))  # of the source that was imported, whatever the files become
+    if known is not None:
+        return known
     try:
         hashes = source_hashes(module, path)
         if any(_changed(file) for file in hashes):
             return None
     except (OSError, SyntaxError, ValueError):
         return None  # deleted or half-written: the imported source is unknown
-    return hashlib.sha256("".join([hashes[path], *sorted(hashes.values())]).encode()).hexdigest()
+    text = "".join([hashes[path], *sorted(hashes.values())])
+    return _stamps.setdefault((module, path), hashlib.sha256(text.encode()).hexdigest())
 
 
 def _changed(file: Path) -> bool:

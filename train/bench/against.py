@@ -61,6 +61,7 @@ class Worker:
 
     def __init__(self, process: subprocess.Popen[str], name: str) -> None:
         self.process, self.name = process, name
+        self.error = ""  # why the latest row could not be timed
         self.rows: list[str] = self._answer()["rows"]
 
     def sample(self, row: str) -> float | None:
@@ -68,8 +69,9 @@ class Worker:
         cast(IO[str], self.process.stdin).write(json.dumps({"row": row}) + "\n")
         cast(IO[str], self.process.stdin).flush()
         answer = self._answer()
-        if "error" in answer:
-            print(f"{self.name} has no row {row!r}: {answer['error']}", file=sys.stderr)
+        self.error = answer.get("error", "")
+        if self.error:
+            print(f"{self.name} has no row {row!r}: {self.error}", file=sys.stderr)
         return answer.get("seconds")
 
     def _answer(self) -> dict[str, Any]:

@@ -26,17 +26,21 @@ class BenchSettings(CommandSettings):
     """Compare with another checkout of this repository in this folder, such as one made by `git worktree add`: time
     each row in both checkouts by turns and print the ratio with its 95 % interval; above 1 means slower here. Times are
     processor times of one thread."""
+    peers: bool = False
+    """Compare with other environments instead, such as VMAS football: pip installs each at its first use in an
+    environment of its own, and both leagues are timed beside it by turns, with equal numbers of matches and threads.
+    Prints match steps/s and the ratio, ours over theirs, with its 95 % interval."""
     rows: str = ""
-    """With --against: time only rows whose names contain all these words; all rows take most of an hour."""
+    """With --against or --peers: time only rows whose names contain all these words; all rows take most of an hour."""
 
     def __post_init__(self) -> None:
         super().__post_init__()
         if self.against is not None and not self.against.is_dir():
             raise ValueError(f"against must be the folder of a checkout, got {self.against}")
-        if self.profile and self.against is not None:
-            raise ValueError("profile measures this checkout alone: give profile or against")
-        if self.rows and self.against is None:
-            raise ValueError("rows chooses among the rows of two checkouts: give against as well")
+        if self.profile + self.peers + (self.against is not None) > 1:
+            raise ValueError("profile measures this checkout alone: give profile or against, or peers")
+        if self.rows and self.against is None and not self.peers:
+            raise ValueError("rows chooses among the rows of a comparison: give against as well, or peers")
 
     @property
     def matches(self) -> int:

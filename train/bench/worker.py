@@ -29,13 +29,26 @@ IDEAL, SENSING = {"senses": "ideal"}, {"senses": "sensors", "observe": "belief"}
 LOCATING = {**SENSING, "pose": "particles"}
 
 Sampler = Callable[[], float]  # returns the seconds of one step
-Makers = Mapping[str, Callable[[int, int], Sampler]]  # from how many matches and steps
+Makers = Mapping[str, Callable[..., Sampler]]  # here from how many matches and steps
+Player = Callable[[int], None]  # plays so many control steps
 
 
 def core_timer(
     league: str, team: str | None, settings: Mapping[str, Any], matches: int, steps: int, players: int = PLAYERS
 ) -> Sampler:
     """Return a function that times the batched core [s per match step]: random actions, or a team against itself."""
+    play = core_player(league, team, settings, matches)
+
+    def sample() -> float:
+        start = process_time()
+        play(steps)
+        return (process_time() - start) / (steps * matches)
+
+    return sample
+
+
+def core_player(league: str, team: str | None, settings: Mapping[str, Any], matches: int) -> Player:
+    """Return a function that plays steps of matches in mid-play: random actions, or a team against itself."""
     from soccer_env import Match
 
     rng, hold = np.random.default_rng(0), round(HOLD * LEAGUES[league])
@@ -52,13 +65,8 @@ def core_timer(
             match.step(None if team else draws[done // hold % DRAWS])
             done += 1
 
-    def sample() -> float:
-        start = process_time()
-        play(steps)
-        return (process_time() - start) / (steps * matches)
-
     play(round(WARM_UP * LEAGUES[league]))
-    return sample
+    return play
 
 
 def save_timer(league: str, matches: int, steps: int) -> Sampler:
@@ -178,8 +186,8 @@ ROWS: Makers = {
 }
 
 
-def serve(rows: Makers, matches: int, steps: int) -> None:
-    """Answer requests until stdin ends; the checkout's own output goes to stderr."""
+def serve(rows: Makers, *arguments: int) -> None:
+    """Answer requests until stdin ends, with rows made from `arguments`; other output goes to stderr."""
     answers = os.fdopen(os.dup(1), "w")
     os.dup2(2, 1)
     samplers: dict[str, Sampler] = {}
@@ -188,7 +196,7 @@ def serve(rows: Makers, matches: int, steps: int) -> None:
         name = json.loads(line)["row"]
         try:
             if name not in samplers:
-                samplers[name] = rows[name](matches, steps)
+                samplers[name] = rows[name](*arguments)
             answer: dict[str, Any] = {"seconds": samplers[name]()}
         except Exception as error:  # an older checkout may lack anything
             answer = {"error": f"{type(error).__name__}: {error}"}

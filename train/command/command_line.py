@@ -203,14 +203,19 @@ def run_bench(words: list[str]) -> int:
     from soccer_env.train.bench.settings import BenchSettings
 
     settings = read_settings(BenchSettings, words, "bench")
-    from soccer_env.train.bench import against, benchmark, profile
+    from soccer_env.train.bench import against, benchmark, peers, profile
 
-    run = profile.profile_step if settings.profile else benchmark.run_benchmark
-    report = (run if settings.against is None else against.compare_checkouts)(settings)
+    if settings.against is not None:
+        report, draw = against.compare_checkouts(settings), against.screen_table
+    elif settings.peers:
+        report, draw = peers.compare_peers(settings), peers.screen_table
+    else:
+        report = (profile.profile_step if settings.profile else benchmark.run_benchmark)(settings)
+        draw = benchmark.screen_table
     if settings.json:
         print_json(report)
     else:
-        console().print((benchmark if settings.against is None else against).screen_table(report))
+        console().print(draw(report))
     return 0
 
 

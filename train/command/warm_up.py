@@ -15,7 +15,8 @@ from typing import Any
 import numpy as np
 
 from soccer_env import Match, make_team
-from soccer_env.compiling.cache import COMPILED, cache_folders
+from soccer_env.compiling.announcing import COMPILED
+from soccer_env.compiling.cache import cache_folders
 from soccer_env.leagues import LEAGUES, find_league
 from soccer_env.scenes import SCENES
 from soccer_env.teams import NAMES

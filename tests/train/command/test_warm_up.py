@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from soccer_env.compiled import compiled, config
-from soccer_env.compiling import cache
+from soccer_env.compiling import announcing, cache
 from soccer_env.compiling.cache import is_cached
 from soccer_env.teams import NAMES
 from soccer_env.train import progress
@@ -16,6 +16,8 @@ from soccer_env.train.command.command_line import main
 from soccer_env.train.command.compiling_beside import compile_step_beside
 from soccer_env.train.command.warm_up import WarmUpSettings, warm_up_parts
 from soccer_env.train.progress import EVERY, Progress
+
+if_compiled = pytest.mark.skipif(bool(config.DISABLE_JIT), reason="nothing is compiled")
 
 
 def test_every_team_is_played_in_its_league() -> None:
@@ -42,17 +44,31 @@ def test_wrong_words_are_refused(soccer: Any) -> None:
     assert "unknown team 'chasr', did you mean 'chaser'?" in soccer("warm-up", "--team", "chasr", code=2)
 
 
+@if_compiled
 def test_long_compiling_says_how_far_it_is(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    done = announcing.CompileProgress()
     for name, value in (("functions", 7), ("began", 100.0), ("said", 100.0)):
-        monkeypatch.setattr(cache.COMPILED, name, value)
+        setattr(done, name, value)
     now = iter([119.0, 121.0, 122.0])
-    monkeypatch.setattr(cache.time, "monotonic", lambda: next(now))
+    monkeypatch.setattr(announcing.time, "monotonic", lambda: next(now))
+    done.expect(calls_two)
     for _ in range(3):
-        cache._count_compiled()
-    assert capsys.readouterr().err == "soccer_env: compiling ... 9 functions in 21 s\n"
+        done.count()
+    assert capsys.readouterr().err == "soccer_env: compiling 9 of 11 functions in 21 s ...\n"
 
 
-if_compiled = pytest.mark.skipif(bool(config.DISABLE_JIT), reason="nothing is compiled")
+@compiled
+def never_played(x):  # type: ignore[no-untyped-def]
+    return x * 2.0
+
+
+@compiled
+def calls_another(x):  # type: ignore[no-untyped-def]
+    return never_played(x)
+
+
+def calls_two(x: float) -> Any:
+    return calls_another(x) + never_played(x)
 
 
 class Started:
