@@ -1,5 +1,5 @@
 # make match    the learned team plays a scripted one (installs what it needs into .venv, without torch);
-#               make match LEAGUE=middle-size-2006: the team of 2006 plays the chaser
+#               make match LEAGUE=middle-size-2006: the learned team of the middle size plays the team of 2006
 # make test     run the tests            make lint          ruff and mypy
 # make test-quick  run those that notice most of what an edit breaks (tests/quick.txt), in a minute or so
 # make test-all    run the whole trainings, claims and long soaks as well, as continuous integration does
@@ -30,7 +30,7 @@ PARALLEL := -n auto --dist worksteal  # a process for each core; one that is don
 
 LEAGUE := legged-2001
 TEAMS_legged-2001 := --home learned --away sacks-2001 --players 3
-TEAMS_middle-size-2006 := --home heinemann-2006 --away chaser --players 5
+TEAMS_middle-size-2006 := --home learned-2006 --away heinemann-2006 --players 2 --pose particles
 
 match: $(VENV)/.has-base
 	$(BIN)/soccer evaluate --league $(LEAGUE) $(TEAMS_$(LEAGUE)) --matches 20 --minutes 4 \

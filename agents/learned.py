@@ -1,4 +1,4 @@
-"""Teams that play a trained policy: the bundled team `learned`, and the teams of policy files.
+"""Teams that play a trained policy: the bundled teams `learned` and `learned-2006`, and the teams of policy files.
 
 A decision is kept for `action_repeat` control steps. The walk of a legged robot is latched when a gait step ends, so
 decisions come just early enough for that: the first one `first_decision_step` control steps into an episode.
@@ -23,7 +23,9 @@ from soccer_env.leagues.league import League
 from soccer_env.observations import entry_names
 from soccer_env.teams import ObservingTeam
 
-BUNDLED = Path(__file__).parent / "policies" / "legged-2001.safetensors"
+POLICIES = Path(__file__).parent / "policies"
+BUNDLED = POLICIES / "legged-2001.safetensors"
+BUNDLED_2006 = POLICIES / "learned-2006.safetensors"
 DECISION = [
     ("begun", "i8", FLAG),  # 1 once the episode has begun
     ("wait", "i8", COUNT),  # [control steps] until the next decision
@@ -97,10 +99,20 @@ def from_zip(
 
 
 def team(strength: float = 1.0) -> LearnedTeam:
-    """Return the bundled team; ValueError for a strength, since a learned team has none."""
+    """Return the bundled team of the legged league; ValueError for a strength, since a learned team has none."""
+    return bundled_team("learned", BUNDLED, strength)
+
+
+def team_2006(strength: float = 1.0) -> LearnedTeam:
+    """Return the bundled team of the middle size; ValueError for a strength, since a learned team has none."""
+    return bundled_team("learned-2006", BUNDLED_2006, strength)
+
+
+def bundled_team(name: str, file: Path, strength: float) -> LearnedTeam:
+    """Return the team of a bundled policy file."""
     if strength != 1.0:
-        raise ValueError(f"team 'learned' has no strength, got {strength:g}")
-    return from_file(BUNDLED)
+        raise ValueError(f"team {name!r} has no strength, got {strength:g}")
+    return from_file(file)
 
 
 def first_decision_step(delay_steps: int, repeat: int) -> int:

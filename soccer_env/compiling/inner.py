@@ -157,7 +157,8 @@ class Kernel(Dispatcher):  # type: ignore[misc]
 
 def without_value(kind: Any) -> Any:
     """Return the type of a constant number or truth value without its value, any other type unchanged."""
-    return types.unliteral(kind) if isinstance(kind, (types.IntegerLiteral, types.BooleanLiteral)) else kind
+    unliteral: Any = types.unliteral
+    return unliteral(kind) if isinstance(kind, (types.IntegerLiteral, types.BooleanLiteral)) else kind
 
 
 @contextlib.contextmanager

@@ -64,7 +64,8 @@ def tilt_point(ahead, up, level, steep, pivot):
 @compiled
 def camera_place(pan, tilt, s):
     """Return the position of the camera: ahead, left, height [m], robot frame."""
-    forward, height = tilt_point(s.camera_ahead, s.camera_up, *cosine_and_sine(tilt), s.neck_height)
+    level, steep = cosine_and_sine(tilt)
+    forward, height = tilt_point(s.camera_ahead, s.camera_up, level, steep, s.neck_height)
     ahead, left = from_polar(forward, pan)
     return s.neck_ahead + ahead, left, height
 

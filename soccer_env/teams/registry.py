@@ -37,6 +37,7 @@ NAMES = {  # strings only: resolved at first use
     "heinemann-2006": "soccer_env.baselines.heinemann_2006:team",
     "weigel-2001": "soccer_env.baselines.heinemann_2006:weigel",
     "learned": "soccer_env.agents.learned:team",
+    "learned-2006": "soccer_env.agents.learned:team_2006",
 }
 FILES = {  # by the ending of a file that is named as a team
     ".safetensors": "soccer_env.agents.learned:from_file",

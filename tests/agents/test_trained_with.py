@@ -8,7 +8,7 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.agents import rules_known
-from soccer_env.agents.learned import BUNDLED, team_from_policy
+from soccer_env.agents.learned import BUNDLED, BUNDLED_2006, team_from_policy
 from soccer_env.agents.policy_file import dump, load, parse
 from soccer_env.agents.rules_known import LOG, recorded, warn_once
 from soccer_env.agents.trained_with import senses_of_run, training_differences, training_senses, warn_if_observing_truth
@@ -172,6 +172,27 @@ def test_it_beats_the_papers_team() -> None:
     result = evaluate(EvaluateSettings(home="learned", away="sacks-2001", matches=24, minutes=2.0, players=3, seed=11))
     assert result.goal_difference.mean > 0.0
     assert result.points.mean > 0.5
+
+
+def test_the_policy_of_the_middle_size_was_trained_by_rewards_alone_and_beats_the_team_of_2006_at_two_a_side() -> None:
+    policy, settings = load(BUNDLED_2006), settings_of(BUNDLED_2006.with_suffix(".toml"))
+    assert (policy.name, policy.league, policy.observe) == ("learned-2006", "middle-size-2006", "belief")
+    then = json.loads(policy.made["settings"])
+    assert then == {name: getattr(settings, name) for name in then} | {"start": Path(settings.start).name}
+    assert settings.teacher == "" and LEAST_STEPS * settings.steps <= int(policy.made["step"])
+    assert BUNDLED_2006.stat().st_size < 1_000_000 and make_team("learned-2006").name == "learned-2006"
+    contest = EvaluateSettings(
+        league="middle-size-2006",
+        home="learned-2006",
+        away="heinemann-2006",
+        matches=12,
+        minutes=2.0,
+        players=2,
+        seed=11,
+        pose="particles",
+    )
+    result = evaluate(contest)
+    assert result.goal_difference.low > 0.0 and result.points.mean > 0.7
 
 
 @pytest.mark.parametrize("recipe", sorted(BUNDLED.parent.glob("*.toml")), ids=lambda path: path.stem)

@@ -136,5 +136,5 @@ def rows_of(name: str, loads: list[tuple[int, int]]) -> dict[str, Callable[[], C
 
 if __name__ == "__main__":
     os.environ |= {"SDL_VIDEODRIVER": "dummy", "PYGAME_HIDE_SUPPORT_PROMPT": "1"}
-    given = [tuple(map(int, load.split("x"))) for load in sys.argv[2:]]
+    given = [(int(matches), int(threads)) for matches, _, threads in (load.partition("x") for load in sys.argv[2:])]
     WORKER["serve"](rows_of(sys.argv[1], given))

@@ -37,7 +37,7 @@ def core_timer(
     league: str, team: str | None, settings: Mapping[str, Any], matches: int, steps: int, players: int = PLAYERS
 ) -> Sampler:
     """Return a function that times the batched core [s per match step]: random actions, or a team against itself."""
-    play = core_player(league, team, settings, matches)
+    play = core_player(league, team, settings, matches, players)
 
     def sample() -> float:
         start = process_time()
@@ -47,7 +47,9 @@ def core_timer(
     return sample
 
 
-def core_player(league: str, team: str | None, settings: Mapping[str, Any], matches: int) -> Player:
+def core_player(
+    league: str, team: str | None, settings: Mapping[str, Any], matches: int, players: int = PLAYERS
+) -> Player:
     """Return a function that plays steps of matches in mid-play: random actions, or a team against itself."""
     from soccer_env import Match
 

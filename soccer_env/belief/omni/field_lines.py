@@ -110,7 +110,8 @@ def read_goal(sighting, goal, x, forward, aside, turn):
     if goal.seen == 0:
         return
     distance, bearing = np.float64(sighting.distance), np.float64(sighting.bearing)
-    ahead, left = move_point(*from_polar(distance, bearing), forward, aside, turn)
+    x_seen, y_seen = from_polar(distance, bearing)
+    ahead, left = move_point(x_seen, y_seen, forward, aside, turn)
     goal.far = max(length(ahead, left), 1e-3)
     goal.ahead, goal.left = ahead / goal.far, left / goal.far
 

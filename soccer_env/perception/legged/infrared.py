@@ -118,7 +118,8 @@ def distance_to_head(x, y, z, dx, dy, dz, other, s):
     the pan, moves with the tilt and has the camera in the middle of its face.
     """
     half = 0.5 * s.head_size
-    ahead, height = tilt_point(s.camera_ahead - half, s.camera_up, *cosine_and_sine(other.tilt), s.neck_height)
+    level, steep = cosine_and_sine(other.tilt)
+    ahead, height = tilt_point(s.camera_ahead - half, s.camera_up, level, steep, s.neck_height)
     cosine, sine = cosine_and_sine(other.pan)
     x, y = into_frame(x - s.neck_ahead, y, cosine, sine)
     dx, dy = into_frame(dx, dy, cosine, sine)

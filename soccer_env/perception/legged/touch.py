@@ -49,7 +49,8 @@ def chin_touches_ball(ball, robot, k, s):
     if robot.fallen > 0.0 or x * x + y * y > near * near:
         return False
     below = s.camera_up - 0.5 * s.head_size
-    forward, height = tilt_point(s.camera_ahead, below, *cosine_and_sine(robot.tilt), s.neck_height)
+    level, steep = cosine_and_sine(robot.tilt)
+    forward, height = tilt_point(s.camera_ahead, below, level, steep, s.neck_height)
     x, y = into_frame(x, y, *cosine_and_sine(robot.heading))
     ahead, left = from_polar(forward, robot.pan)
     x -= s.neck_ahead + ahead
