@@ -80,8 +80,11 @@ def test_what_a_page_takes_from_the_package_is_there(name: str) -> None:
 
 
 def test_a_page_that_nobody_knows_or_whose_library_is_missing_is_one_line(tmp_path: Path) -> None:
-    program = "import sys\nsys.modules['tianshou'] = None\nfrom soccer_env.train.examples.__main__ import main\nmain()"
-    for name, expected in {"ppo_keras": "name an example: cloning_minari", "ppo_tianshou": "needs tianshou=="}.items():
+    program = "import sys\nsys.modules['minari'] = None\nfrom soccer_env.train.examples.__main__ import main\nmain()"
+    for name, expected in {
+        "ppo_keras": "name an example: cloning_minari",
+        "cloning_minari": "needs minari[hdf5]==",
+    }.items():
         run = subprocess.run([sys.executable, "-c", program, name], cwd=tmp_path, capture_output=True, text=True)
         assert run.returncode == 1
         assert expected in run.stderr and len(run.stderr.splitlines()) == 1
