@@ -8,9 +8,9 @@ from math import pi, tan
 
 from soccer_env.leagues.options import GREATEST, SIGNED, Options
 from soccer_env.leagues.pose_memory import PoseMemory
-from soccer_env.optics.head_camera import SMALLEST_HEIGHT, SMALLEST_WIDTH
 
 DEGREE = pi / 180.0
+SMALLEST_WIDTH, SMALLEST_HEIGHT = 44.0, 36.0  # [px] of the smallest layer; each step of resolution doubles them
 RESOLUTIONS = {"44x36": 0, "88x72": 1, "176x144": 2}  # working layers of the camera, ERS-210 data sheet
 RANGES = {"size": 0, "infrared": 1}
 SIZES = {"closer": 0, "height": 1, "width": 2}
@@ -45,6 +45,8 @@ class LeggedSensors(Options):
         ("trunk_low", "at most", "trunk_height"), ("infrared_near", "at most", "infrared_far"),
     )  # fmt: skip
     DERIVED = {
+        "picture_width": lambda s: s.layer() * SMALLEST_WIDTH,  # [px]
+        "picture_height": lambda s: s.layer() * SMALLEST_HEIGHT,  # [px]
         "focal_x": lambda s: 0.5 * s.layer() * SMALLEST_WIDTH / tan(0.5 * s.view_width),  # [px]
         "focal_y": lambda s: 0.5 * s.layer() * SMALLEST_HEIGHT / tan(0.5 * s.view_height),  # [px]
     }

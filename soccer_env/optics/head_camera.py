@@ -12,19 +12,17 @@ from math import sqrt
 from soccer_env.compiled import compiled
 from soccer_env.geometry import atan2, cosine_and_sine, from_polar, out_of_frame
 
-SMALLEST_WIDTH, SMALLEST_HEIGHT = 44.0, 36.0  # [px] of the smallest layer; each step of resolution doubles them
-
 
 @compiled
 def image_width(s):
     """Return the width of the picture [px]."""
-    return SMALLEST_WIDTH * (1 << s.resolution)
+    return s.picture_width
 
 
 @compiled
 def image_height(s):
     """Return the height of the picture [px]."""
-    return SMALLEST_HEIGHT * (1 << s.resolution)
+    return s.picture_height
 
 
 @compiled

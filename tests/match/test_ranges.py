@@ -15,7 +15,7 @@ from soccer_env.types import COMMAND, GAZE
 from tests.fuzz import targets
 
 LEGGED = ["chaser", "learned", "random", "sacks-2001", "sacks-2001-future", "sacks-2001-tuned", "still", "walker"]
-MIDDLE = ["chaser", "heinemann-2006", "random", "still", "walker", "weigel-2001"]
+MIDDLE = ["chaser", "heinemann-2006", "learned-2006", "random", "still", "walker", "weigel-2001"]
 SETTINGS: list[dict[str, Any]] = [
     *({"home": 1, "away": 1, "controllers": {"home": team, "away": "chaser"}, "senses": senses}
       for team in LEGGED for senses in (["ideal"] if team == "learned" else ["sensors"])),

@@ -11,3 +11,18 @@ peers.py       --peers: the ratio to other environments, which pip installs
 peer_worker.py the process that times one of them, or both leagues beside it
 worker.py      PettingZoo's step and reset, a branch; the process that times one checkout for --against
 """
+
+from collections.abc import Callable
+from typing import Any
+
+
+def measure_speed(settings: Any) -> tuple[dict[str, Any], Callable[[dict[str, Any]], Any]]:
+    """Run the measurement that BenchSettings ask for; return its report, and the function that draws it as a table."""
+    from soccer_env.train.bench import against, benchmark, peers, profile
+
+    if settings.against is not None:
+        return against.compare_checkouts(settings), against.screen_table
+    if settings.peers:
+        return peers.compare_peers(settings), peers.screen_table
+    run = profile.profile_step if settings.profile else benchmark.run_benchmark
+    return run(settings), benchmark.screen_table

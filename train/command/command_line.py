@@ -203,15 +203,9 @@ def run_bench(words: list[str]) -> int:
     from soccer_env.train.bench.settings import BenchSettings
 
     settings = read_settings(BenchSettings, words, "bench")
-    from soccer_env.train.bench import against, benchmark, peers, profile
+    from soccer_env.train.bench import measure_speed
 
-    if settings.against is not None:
-        report, draw = against.compare_checkouts(settings), against.screen_table
-    elif settings.peers:
-        report, draw = peers.compare_peers(settings), peers.screen_table
-    else:
-        report = (profile.profile_step if settings.profile else benchmark.run_benchmark)(settings)
-        draw = benchmark.screen_table
+    report, draw = measure_speed(settings)
     if settings.json:
         print_json(report)
     else:

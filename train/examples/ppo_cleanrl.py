@@ -19,14 +19,18 @@ def advantages(errors: torch.Tensor, going: torch.Tensor, discount: float) -> to
     return errors
 
 
+def network(inputs: int, outputs: int) -> nn.Sequential:
+    """Return a network with two hidden layers."""
+    return nn.Sequential(nn.Linear(inputs, 64), nn.Tanh(), nn.Linear(64, 64), nn.Tanh(), nn.Linear(64, outputs))
+
+
 def main(steps: int = 400_000, seed: int = 1, gamma: float = 0.99, decay: float = 0.95, clip: float = 0.2) -> float:
     """Learn for `steps` decisions, and return the share of episodes in which the robot scores."""
     torch.manual_seed(seed)
     torch.set_num_threads(1)
     match = Match(**EMPTY_GOAL, home=1, matches=32, autoreset="same_step", seed=seed)
     size = len(match.observation_names)
-    actor = nn.Sequential(nn.Linear(size, 64), nn.Tanh(), nn.Linear(64, 64), nn.Tanh(), nn.Linear(64, 4))
-    critic = nn.Sequential(nn.Linear(size, 64), nn.Tanh(), nn.Linear(64, 64), nn.Tanh(), nn.Linear(64, 1))
+    actor, critic = network(size, 4), network(size, 1)
     actor[-1].weight.data *= 0.01  # at first it stands still, but for the noise
     log_std = nn.Parameter(torch.full((4,), -0.5))
     optimizer = torch.optim.Adam([*actor.parameters(), *critic.parameters(), log_std], lr=1e-3)

@@ -36,7 +36,6 @@ def main(steps: int = 2_000_000, seed: int = 1, out: Path = Path("runs/ppo_sb3.z
     )  # fmt: skip
     model.policy.log_std.requires_grad = False  # the noise stays, or kicks would no longer be tried
     model.learn(steps)
-    out.parent.mkdir(parents=True, exist_ok=True)
     model.save(out)
     home = f"{out}:league={LEAGUE},observe=belief,action_repeat={REPEAT},at_once=False,rules=league"
     asked = EvaluateSettings(

@@ -47,7 +47,7 @@ class Watcher:
     def __init__(self, resolution: int = FINE, **settings: Any) -> None:
         self.constants, self.sensors = constants_of(LEAGUE), LEAGUE.sensors.record()
         self.sensors["resolution"] = resolution
-        for name in ("focal_x", "focal_y"):
+        for name in ("focal_x", "focal_y", "picture_width", "picture_height"):
             self.sensors[name] *= 2.0 ** (resolution - REAL)
         settings = {**(TINY if resolution == FINE else {}), **settings}
         self.settings = LEAGUE.memory.changed(settings).record()

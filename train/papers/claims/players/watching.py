@@ -9,9 +9,8 @@ from typing import Any
 import numpy as np
 
 from soccer_env.leagues import find_league
-from soccer_env.leagues.legged_sensors import RESOLUTIONS
+from soccer_env.leagues.legged_sensors import RESOLUTIONS, SMALLEST_HEIGHT, SMALLEST_WIDTH
 from soccer_env.match import Match
-from soccer_env.optics.head_camera import SMALLEST_HEIGHT, SMALLEST_WIDTH
 from soccer_env.train.papers import staging
 from soccer_env.train.papers.claim import Batch
 from soccer_env.train.papers.staging import LEGGED
