@@ -157,7 +157,7 @@ class Kernel(Dispatcher):  # type: ignore[misc]
 
 def without_value(kind: Any) -> Any:
     """Return the type of a constant number or truth value without its value, any other type unchanged."""
-    return types.unliteral(kind) if isinstance(kind, (types.IntegerLiteral, types.BooleanLiteral)) else kind
+    return kind.literal_type if isinstance(kind, (types.IntegerLiteral, types.BooleanLiteral)) else kind
 
 
 @contextlib.contextmanager
