@@ -86,15 +86,15 @@ def compare_peers(settings: BenchSettings, peers: tuple[Peer, ...] = PEERS, scri
     before = machine()
     chosen = select_rows([row for peer in peers for row in row_names(peer)], settings.rows)
     wanted = [peer for peer in peers if not set(chosen).isdisjoint(row_names(peer))]
-    with Progress("bench", len(wanted) * (1 + settings.rounds)) as progress:
+    with Progress("bench", sum(1 + settings.rounds * len(peer.loads) for peer in wanted)) as progress:
         for peer in wanted:
             progress.note(peer.title)
             try:
                 python = install(peer)
                 progress.advance(1)
                 for _ in range(settings.rounds):
-                    time_peer(peer, python, settings.repetitions, script, chosen, pairs)
-                    progress.advance(1)
+                    for _ in time_peer(peer, python, settings.repetitions, script, chosen, pairs):
+                        progress.advance(1)
             except LeftOutError as reason:
                 left_out[peer.title] = str(reason)
     rows = [asdict(peer_row(peer, name, pairs[name])) for peer in wanted for name in row_names(peer) if name in pairs]
@@ -116,8 +116,10 @@ def row_name(peer: Peer, league: str, load: tuple[int, int]) -> str:
     return f"{league} over {peer.title}, {matches:,} at a time, {threads} thread{'s' if threads > 1 else ''}"
 
 
-def time_peer(peer: Peer, python: Path, repetitions: int, script: Path, chosen: list[str], pairs: Pairs) -> None:
-    """Time the chosen rows of a peer and of both leagues by turns, in new processes, and add to `pairs`."""
+def time_peer(
+    peer: Peer, python: Path, repetitions: int, script: Path, chosen: list[str], pairs: Pairs
+) -> Iterator[None]:
+    """Time the chosen rows of a peer and of both leagues by turns, in new processes; add to `pairs`, yield per load."""
     with ExitStack() as stack:
         theirs = stack.enter_context(start(python, script, peer.name, peer.loads))
         own = stack.enter_context(start(Path(sys.executable), script, OWN, peer.loads))
@@ -131,6 +133,7 @@ def time_peer(peer: Peer, python: Path, repetitions: int, script: Path, chosen: 
                     for there, *here in (answers(calls), answers(calls[::-1])[::-1]):
                         for row, seconds in zip(rows, here, strict=True):
                             pairs.setdefault(row, []).append((there, seconds))
+            yield
 
 
 def answers(calls: list[tuple[Worker, str]]) -> list[float]:
