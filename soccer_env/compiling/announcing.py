@@ -22,7 +22,7 @@ class CompileProgress:
     began = said = float("inf")  # [s] time of the announcement, and of the last line of progress
 
     def __init__(self) -> None:
-        self.asked: set[Callable[..., Any]] = set()  # functions that were not on disk
+        self.asked: set[Callable[..., Any]] = set()  # functions that were not on disk, and all that they call
         self.expected: frozenset[Any] = frozenset()  # compiled functions that they call
 
     def count(self) -> None:
@@ -38,8 +38,9 @@ class CompileProgress:
     def expect(self, function: Callable[..., Any]) -> None:
         """Expect that the functions that a function calls will be compiled as well."""
         if function not in self.asked:
-            self.asked.add(function)
-            self.expected |= called_functions(function)
+            called = called_functions(function)
+            self.asked |= {function, *(one.py_func for one in called)}
+            self.expected |= called
 
 
 COMPILED = CompileProgress()

@@ -22,7 +22,7 @@ from soccer_env.compiling.stops import compiling, run_stoppably, stop_here, stop
 from soccer_env.guards.turns import with_signals_held
 
 INNER = "inner"  # kind of a library in the cache
-OBJECTS = 400_000  # new objects between two garbage collections while compiling
+OBJECTS = 50_000  # new objects between two garbage collections while compiling
 
 
 def is_inner_compile() -> bool:
