@@ -17,7 +17,7 @@ from soccer_env.guards.checking import check_choice, check_whole_number, raise_n
 from soccer_env.leagues.league import League
 from soccer_env.match.arguments import StateSide
 from soccer_env.match.settings import Settings
-from soccer_env.observations.belief import BRIEF, LASTING, LONG, SHORT, STILL
+from soccer_env.observations.belief import BARRED, BRIEF, CARD, LASTING, LONG, PLAY, SHORT, STILL
 from soccer_env.observations.entry import FIELD, NONE, ROBOT, TEAM, TURN, Entry, X, Y, copy_to_group
 from soccer_env.types import AWAY, HOME, MAX_TEAM, Phase
 
@@ -67,6 +67,8 @@ PLAYER = (
     Entry("fallen", "1 fallen, 0 upright", "1", NONE),
     Entry("pushing", "time for which it has pushed an opponent, as the referee counts", BRIEF, NONE),
     Entry("holding", "time for which it has held the ball, as the referee counts", BRIEF, NONE),
+    Entry("card", CARD, "1", NONE),
+    Entry("barred", BARRED, "1", NONE),
     Entry("penalty", "time left of its penalty", LASTING, NONE),
     Entry("ball_age", "time since it saw the ball; 0 without sensors", BRIEF, NONE),
 )
@@ -143,7 +145,7 @@ def field_states(settings: Settings, records: Records, players: int) -> np.ndarr
     """Return states in the field frame: match, ball, then `players` rows for home and for away."""
     league, home_rows, count = settings.league, settings.rows[HOME], len(records["matches"])
     players_of_both = np.zeros((count, 2, players, len(PLAYER)))
-    numbers = stack_entries(PLAYER, robot_numbers(league, records["robots"], records["beliefs"]))
+    numbers = stack_entries(PLAYER, robot_numbers(league, records))
     players_of_both[:, 0, :home_rows] = numbers[:, :home_rows]
     players_of_both[:, 1, : numbers.shape[1] - home_rows] = numbers[:, home_rows:]
     game, ball = (
@@ -214,12 +216,13 @@ def soft_time(time: np.ndarray, half: float) -> np.ndarray:
     return scaled
 
 
-def robot_numbers(league: League, robots: np.ndarray, beliefs: np.ndarray) -> dict[str, Any]:
+def robot_numbers(league: League, records: Records) -> dict[str, Any]:
     """Return the entries about the robots by name, each (n, R), scaled to [-1, 1]; zeros for inactive robots.
 
     Only the penalty is that of inactive robots too. Beliefs of robots without sensors are empty.
     """
-    pitch, drive = league.pitch, league.drive
+    pitch, drive, game, robots = league.pitch, league.drive, records["matches"], records["robots"]
+    taker = np.where(game["phase"] == PLAY, game["taker"], -1)  # until another robot touches the ball
     walk = robots["walk"]
     heading = robots["heading"]
     active = robots["active"].astype(float)
@@ -244,7 +247,9 @@ def robot_numbers(league: League, robots: np.ndarray, beliefs: np.ndarray) -> di
         "fallen": robots["fallen"] > 0.0,
         "pushing": soft_time(np.maximum.reduce([robots[x] for x in ("pushing", "keeper_pushing", "charging")]), SHORT),
         "holding": soft_time(np.maximum(robots["holding"], robots["handling"]), SHORT),
-        "ball_age": soft_time(beliefs["ball"]["age"], SHORT),
+        "ball_age": soft_time(records["beliefs"]["ball"]["age"], SHORT),
+        "card": robots["yellow"] % 2,
+        "barred": taker[:, None] == np.arange(robots.shape[1]),
     }
     shown = {name: np.asarray(column, float) * active for name, column in numbers.items()}
     return shown | {"penalty": soft_time(robots["penalty"], LONG)}

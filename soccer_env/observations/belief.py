@@ -48,11 +48,15 @@ BALL_MORE = copy_to_group(
     Entry("ball_age", "time since the ball was seen", BRIEF, NONE),
 )
 STILL = "time for which the ball has stayed in place, as the rule of stuck balls counts"
+CARD = "1 after a yellow card, with which the next one sends the robot off; else 0"
+BARRED = "1: the robot has taken the restart, and may not touch the ball before another robot has; else 0"
 CLOCKS = copy_to_group(
     "clocks",
     Entry("own_pushing", "time for which the robot has pushed an opponent, as the referee counts", BRIEF, NONE),
     Entry("own_holding", "time for which the robot has held the ball, as the referee counts", BRIEF, NONE),
     Entry("own_penalty", "time left of the own penalty", LASTING, NONE),
+    Entry("own_card", CARD, "1", NONE),
+    Entry("own_barred", BARRED, "1", NONE),
     Entry("ball_still", STILL, LASTING, NONE),
 )
 PLAYER_MORE = (
@@ -86,7 +90,7 @@ def every_entry() -> list[Entry]:
 def observe_belief_slice(beliefs, tracks, matches, robots, observations, constants, half_length, rows, first, last):
     """Write the observations (M, R, n) of the robots in `rows`.
 
-    Of `robots` only exact readings of the body are used, and of `matches` and `robots` the referee's clocks.
+    Of `robots` only exact readings of the body are used, and of `matches` and `robots` what the referee counts.
     """
     k = constants[0]
     diagonal = sqrt(k.pitch_length * k.pitch_length + k.pitch_width * k.pitch_width)
@@ -100,7 +104,7 @@ def observe_belief_slice(beliefs, tracks, matches, robots, observations, constan
             write_ball(belief.ball, row, k, diagonal)
             write_goals(belief.own, row, k, diagonal)
             write_game(belief.situation, row, half_length)
-            write_clocks(matches[m], robots[m, r], belief.situation, row)
+            write_clocks(matches[m], robots[m, r], belief.situation, r, row)
             if k.ranger == 1:
                 write_obstacle(belief.obstacle, record_view(observation, at, OBSTACLE_ROW), diagonal)
                 at += OBSTACLE_SIZE
@@ -166,11 +170,13 @@ def write_game(situation, row, half_length):
 
 
 @compiled
-def write_clocks(match, robot, situation, row):
-    """Write the referee's clocks into an observation; each league counts its own kinds of pushing and holding."""
+def write_clocks(match, robot, situation, r, row):
+    """Write what the referee counts of robot r into an observation; each league has its own pushing and holding."""
     row.own_pushing = soft_scale(max(robot.pushing, robot.keeper_pushing, robot.charging), SHORT)
     row.own_holding = soft_scale(max(robot.holding, robot.handling), SHORT)
     row.own_penalty = soft_scale(situation.penalty, LONG)
+    row.own_card = robot.yellow % 2
+    row.own_barred = 1.0 if match.taker == r and match.phase == PLAY else 0.0
     row.ball_still = soft_scale(match.still_clock, LONG)
 
 

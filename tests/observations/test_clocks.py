@@ -58,6 +58,21 @@ def test_middle_size_charges_and_balls_kept_count_as_pushing_and_holding() -> No
     assert named(match, 0)["own_pushing"] == 0.5 and named(match, 1)["own_holding"] == pytest.approx(0.2)
 
 
+def test_a_card_and_the_ban_on_a_second_touch_are_told_to_the_robot_itself_and_to_the_state() -> None:
+    match = Match("middle-size-2006", home=1, away=2, seed=1, observe="belief")
+    set_phase(match, 0)
+    match.robots["yellow"][0] = 0, 1, 2  # two are a red card, and 90 s later the count begins anew
+    match.matches["taker"][0] = 2
+    match.batch.observe_anew(0, 1)
+    assert [(named(match, r)["own_card"], named(match, r)["own_barred"]) for r in range(3)] == [(0, 0), (1, 0), (0, 1)]
+    state = state_of(match)
+    assert (state["away_0_card"], state["away_0_barred"]) == (1.0, 0.0)
+    assert (state["away_1_card"], state["away_1_barred"], state["home_0_barred"]) == (0.0, 1.0, 0.0)
+    match.matches["taker"][0] = -1
+    match.batch.observe_anew(0, 1)
+    assert named(match, 2)["own_barred"] == 0.0, "another robot has touched the ball"
+
+
 def test_the_state_tells_since_when_each_robot_has_not_seen_the_ball() -> None:
     match = Match(home=1, away=1, seed=1, observe="belief")
     set_phase(match, 0)
