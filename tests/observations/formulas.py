@@ -52,8 +52,14 @@ def clocks_of(robot: Any, name: str) -> Numbers:
     holding = max(robot["holding"], robot["handling"])
     return {
         f"{name}pushing": soft(pushing, 1.0), f"{name}holding": soft(holding, 1.0),
-        f"{name}penalty": soft(robot["penalty"], 10.0),
+        f"{name}penalty": soft(robot["penalty"], 10.0), f"{name}card": float(robot["yellow"] % 2),
     }  # fmt: skip
+
+
+def is_barred(match: Match, m: int, r: int) -> bool:
+    """Tell whether a robot has taken the restart, and nobody else has touched the ball since."""
+    game = match.matches[m]
+    return bool(game["taker"] == r and game["phase"] == Phase.PLAY)
 
 
 # What every observation has
@@ -195,6 +201,7 @@ def state_of(match: Match, m: int, side: str, players: int) -> Numbers:
         for number in range(players):
             there = number < len(robots) and robots["active"][number] == 1
             numbers = player_of(match, robots[number if there else 0], half_turn)
+            numbers["barred"] = float(is_barred(match, m, number + (0 if robots is teams[0] else home)))
             told |= {f"{name}_{number}_{key}": value * float(there) for key, value in numbers.items()}
             out = robots[number]["penalty"] if number < len(robots) else 0.0
             told[f"{name}_{number}_penalty"] = soft(out, 10.0)

@@ -30,7 +30,7 @@ def belief_of(match: Match, m: int, r: int) -> Numbers:
         "ball_radial": soft(ball["radial"], slow), "ball_angular": soft(ball["angular"], 1.0),
         "ball_confidence": ball["confidence"] / 100.0,
         "ball_age": aged(ball["age"]), **formulas.clocks_of(me, "own_"),
-        "own_penalty": soft(situation["penalty"], 10.0),
+        "own_penalty": soft(situation["penalty"], 10.0), "own_barred": float(formulas.is_barred(match, m, r)),
         "ball_still": soft(match.matches["still_clock"][m], 10.0),
     }  # fmt: skip
     if "infrared_far" in match.league.sensors.record().dtype.names:

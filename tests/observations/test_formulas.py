@@ -36,6 +36,7 @@ def staged(league: str, home: int = 2, away: int = 4, **settings: Any) -> Match:
     robots["has_ball"], robots["fallen"] = rng.integers(0, 2, (2, *robots.shape))
     for name in ("pushing", "keeper_pushing", "charging", "holding", "handling", "penalty"):
         robots[name] = rng.uniform(0.0, 5.0, robots.shape) * rng.integers(0, 2, robots.shape)
+    robots["yellow"], game["taker"] = rng.integers(0, 3, robots.shape), rng.integers(-1, home + away, 4)
     game["still_clock"] = [0.0, 7.5, 12.0, 3.0]
     for name in ("vx", "vy", "roll_x", "roll_y"):
         match.balls[name] = rng.uniform(-0.7, 0.7, 4) * match.league.ball.top_speed
@@ -96,6 +97,7 @@ def test_with_ideal_senses_a_belief_is_the_truth(league: str) -> None:
         rest = {name: 0.0 for name in match.observation_names if name.endswith("age") or name.startswith("obstacle")}
         clocks = formulas.clocks_of(match.robots[m, r], "own_")
         still = {"ball_still": formulas.soft(match.matches["still_clock"][m], 10.0)}
+        still["own_barred"] = float(formulas.is_barred(match, m, r))
         told = formulas.truth_of(match, m, r) | formulas.rates_of(match, m, r) | sure | rest | clocks | still
         return told | {name: told[f"{name.rpartition('_')[0]}_present"] for name in sure if name[-12] in "0123456789"}
 
