@@ -15,7 +15,7 @@ pytest.importorskip("stable_baselines3")
 
 import torch
 
-from soccer_env.train.ppo.networks import SoccerPolicy
+from soccer_env.train.ppo.networks import SoccerPolicy, copy_actor, export_policy
 from soccer_env.train.ppo.teaching import imitation
 from soccer_env.train.ppo.teaching.imitation import NO_KICK, fit, record
 
@@ -123,3 +123,20 @@ def test_fitting_leaves_the_critic_and_the_noise_alone(recorded: Rows) -> None:
     assert (before.log_std == after.log_std).all()
     pairs = zip(before.critic_net.parameters(), after.critic_net.parameters(), strict=True)
     assert all((one == other).all() for one, other in pairs)
+
+
+def test_players_that_no_teaching_showed_move_nothing_in_the_file_of_the_policy(recorded: Rows) -> None:
+    """The first weights of a slot that stayed empty would be noise in a larger team."""
+    seen, asked = recorded[0].copy(), recorded[1]
+    empty = [i for i, name in enumerate(NAMES) if name.startswith(("teammate_1", "opponent_2"))]
+    seen[:, empty], seen[:2, empty] = 0.0, 1.0  # two ghosts in 320 decisions
+    _, taught = fitted((seen, asked))
+    file: Any = {"name": "t", "league": find_league("legged-2001"), "observe": "belief", "action_repeat": 8, "made": {}}
+    policy = export_policy(taught, **file)
+    first, shown = taught.policy_net[0].weight.detach().numpy(), (seen != 0.0).mean(axis=0) >= 0.01
+    assert empty and not shown[empty].any() and not policy.weights[0][:, ~shown].any()
+    assert (policy.weights[0][:, shown] == first[:, shown]).all() and first.all(), "the network itself keeps its own"
+    other = network(seed=2)
+    copy_actor(other, policy)
+    assert (export_policy(other, **file).weights[0] == policy.weights[0]).all(), "a run begun from the file knows"
+    assert export_policy(network(), **file).weights[0].all(), "nothing was met, so nothing can be left out"
