@@ -118,6 +118,7 @@ class Claim:
     figures: Callable[[Samples], Sequence[Figure]] = lambda samples: ()
     note: str | Callable[[Samples], str] = ""  # for readers of the result
     pose: Literal["", "percept", "particles"] = ""  # the localisation that the claim is about; "": the run's --pose
+    timed: bool = False  # its samples are computing times, which no run repeats
     study: bool = False  # no claim of a paper: measured only by name, not by --all
 
     @property

@@ -49,6 +49,8 @@ class ClaimResult:
     without: str  # the ingredient that a by-construction claim rests on
     without_findings: list[dict[str, Any]]  # the same criteria with it off
     figures: list[dict[str, Any]]
+    asks: str  # hash of the claim's question
+    sample: str  # hash of the first batch of the first seed; "": of times, which no other run repeats
     settings: str  # hash of the conditions and of what the run was made with
 
     @property
@@ -101,6 +103,7 @@ FOLDERS = {
     paper: Path(baselines.__path__[0]) / team for paper, team in ((SACKS, "sacks_2001"), (HEINEMANN, "heinemann_2006"))
 }
 FROM_CLAIM = ("id", "paper", "section", "statement", "method", "condition")  # fields that a result shares with it
+HASHES = ("asks", "sample")  # of rows since world 4
 KEPT = ("verdict", "by_seed", "quick", "n", "n_used", "command", "pose", "rules", "criterion", "seeds")  # of a result
 
 Measured = Mapping[str, Mapping[str, Any]]  # claim: its stored result
@@ -126,12 +129,12 @@ def stored_results(names: Iterable[str]) -> list[ClaimResult]:
 
 def restore_result(claim: Claim, row: Mapping[str, Any]) -> ClaimResult:
     """Convert a stored result to a ClaimResult, without figures and with numbers as text."""
-    about = row["about"]
-    measured = f"Measured {about['date']}, commit {about['commit'] or 'none'}."
+    measured = f"Measured {measured_where(row)}."
     note = claim.note if isinstance(claim.note, str) else ""
     return ClaimResult(
         **{name: getattr(claim, name) for name in FROM_CLAIM},
         **{name: row[name] for name in KEPT},
+        **{name: row.get(name, "") for name in HASHES},
         estimate=None,
         low=None,
         high=None,
@@ -144,6 +147,12 @@ def restore_result(claim: Claim, row: Mapping[str, Any]) -> ClaimResult:
         figures=[],
         settings="",
     )
+
+
+def measured_where(row: Mapping[str, Any]) -> str:
+    """Return date, commit and world of a stored result, in words."""
+    about = row["about"]
+    return f"{about['date']} ({about['commit'] or 'no commit'}, world {about.get('world', '1')})"
 
 
 def add_bounds(claim: Claim, row: Mapping[str, Any], finding: Mapping[str, Any]) -> dict[str, Any]:

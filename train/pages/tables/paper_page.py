@@ -21,10 +21,22 @@ from soccer_env.train.papers.claim import Claim
 from soccer_env.train.papers.claims import all_claims
 from soccer_env.train.papers.report import estimate_with_interval
 from soccer_env.train.papers.reproduction import reproduce
-from soccer_env.train.papers.results import FILE, KEPT, ClaimResult, Measured, plot_name, read_stored, restore_result
+from soccer_env.train.papers.results import (
+    FILE,
+    HASHES,
+    KEPT,
+    ClaimResult,
+    Measured,
+    measured_where,
+    plot_name,
+    read_stored,
+    restore_result,
+)
 from soccer_env.train.papers.settings import ReproduceSettings
 from soccer_env.train.papers.verdicts import NOT, VERDICTS
+from soccer_env.train.provenance import play_facts
 from soccer_env.train.results_folder import SETTINGS, read_settings
+from soccer_env.types import WORLD
 
 SHOWN = Path(__file__).resolve().parents[3] / "soccer_env" / "pictures"
 NOT_MEASURED = "not measured"
@@ -109,10 +121,10 @@ class PaperPage:
 def claim_entry(result: ClaimResult, about: Mapping[str, str]) -> dict[str, Any]:
     """Return the entry of claims.json for the result of a claim, with the date and commit of the run."""
     return {
-        **{name: getattr(result, name) for name in KEPT},
+        **{name: getattr(result, name) for name in (*KEPT, *HASHES)},
         "findings": [finding_entry(one) for one in result.findings],
         "without_findings": [finding_entry(one) for one in result.without_findings],
-        "about": {name: about.get(name, "") for name in ("date", "commit")},
+        "about": {name: about[name] for name in ("date", "commit", *play_facts()) if name in about},
     }
 
 
@@ -162,9 +174,9 @@ def verdict_counts(measured: Measured, claims: Sequence[str]) -> str:
 
 
 def measurement_sources(measured: Measured) -> str:
-    """Return the dates and commits of the measurements, in words."""
-    runs = {f"{row['about']['date']} ({row['about']['commit'] or 'no commit'})" for row in measured.values()}
-    return f"Measured {', '.join(sorted(runs))}." if runs else ""
+    """Return the dates, commits and worlds of the measurements, in words."""
+    runs = {measured_where(row) for row in measured.values()}
+    return f"Measured {'; '.join(sorted(runs))}. The present world is {WORLD}." if runs else ""
 
 
 def replace_between_markers(text: str, name: str, table: str) -> str:
