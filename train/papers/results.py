@@ -1,7 +1,9 @@
 """The result of a claim, the files of a reproduction run, and the last results of all claims.
 
 The last results are stored in claims.json in the folder of each paper's team, for the teams' pages, the site and
-`soccer reproduce ID --stored`. The claim's own texts (statement, method, bounds, note) are not stored.
+`soccer reproduce ID --stored`. The claim's own texts (statement, method, bounds, note) are not stored. remarks.json
+beside it says of a claim when and how it "changed" after a first look, and the likely "cause" if it is not reproduced:
+the paper, the simulator or our reading.
 """
 
 import json
@@ -98,7 +100,7 @@ REPRODUCTION = RunKind(
 )  # fmt: skip
 
 
-FILE = "claims.json"
+FILE, REMARKS = "claims.json", "remarks.json"
 FOLDERS = {
     paper: Path(baselines.__path__[0]) / team for paper, team in ((SACKS, "sacks_2001"), (HEINEMANN, "heinemann_2006"))
 }
@@ -111,9 +113,18 @@ Measured = Mapping[str, Mapping[str, Any]]  # claim: its stored result
 
 def read_stored(folder: Path) -> dict[str, dict[str, Any]]:
     """Return the stored results, by claim, from the claims.json of a folder; empty without this file."""
-    path = folder / FILE
-    results: dict[str, dict[str, Any]] = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
-    return results
+    return read_json(folder / FILE)
+
+
+def read_json(path: Path) -> dict[str, dict[str, Any]]:
+    """Return the contents of a JSON file by claim; empty without this file."""
+    found: dict[str, dict[str, Any]] = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
+    return found
+
+
+def remarks_on(claim: str, paper: str) -> dict[str, str]:
+    """Return the remarks on a claim: when and how it "changed", and the likely "cause" if it is not reproduced."""
+    return read_json(FOLDERS[paper] / REMARKS).get(claim, {}) if paper in FOLDERS else {}
 
 
 def stored_results(names: Iterable[str]) -> list[ClaimResult]:

@@ -29,6 +29,7 @@ from soccer_env.train.papers.results import (
     Measured,
     measured_where,
     plot_name,
+    read_json,
     read_stored,
     restore_result,
 )
@@ -39,6 +40,8 @@ from soccer_env.train.results_folder import SETTINGS, read_settings
 from soccer_env.types import WORLD
 
 SHOWN = Path(__file__).resolve().parents[3] / "soccer_env" / "pictures"
+DRAWN = Path(__file__).with_name("figures.json")  # the figures of each claim's last measurement, for the site
+DIGITS = 4  # significant, of a number in a figure
 NOT_MEASURED = "not measured"
 SIGNS = {"at least ": "≥", "at most ": "≤", "above ": ">", "below ": "<", "and ": ""}  # of bounds, in short
 
@@ -53,6 +56,7 @@ class PaperPage:
     run: Path  # the folder of a run of all claims, which can be stopped and resumed
     tables: Mapping[str, Callable[[], str]]  # besides the table of claims
     both_papers: bool = False  # whether that run measures the claims of the other paper, too
+    drawn: Path = DRAWN
 
     @property
     def claims(self) -> tuple[str, ...]:
@@ -72,7 +76,7 @@ class PaperPage:
     def take(self, run: Path) -> dict[str, dict[str, Any]]:
         """Take over the paper's claims from the folder of a run of `soccer reproduce`; ValueError if it holds none.
 
-        The pictures for the page are copied; pictures of claims that the run lacks stay as they are.
+        Pictures for the page and figures for the site are taken over, too; those of other claims stay as they are.
         """
         about = read_settings(run / SETTINGS).get("about", {})
         names = [field.name for field in fields(ClaimResult)]
@@ -81,6 +85,8 @@ class PaperPage:
         claims = {result.id: claim_entry(result, about) for result in results if result.id in self.claims}
         if not claims:
             raise ValueError(f"{run} holds no claim of {self.paper}")
+        figures = {result.id: shorten(result.figures) for result in results if result.id in self.claims}
+        write_figures(self.drawn, figures)
         for claim, number in self.pictures.items():
             drawn = run / plot_name(claim, number)
             if drawn.exists():
@@ -116,6 +122,22 @@ class PaperPage:
             print("usage: [run FOLDER ... | write], or nothing to measure every claim", file=sys.stderr)
             return 2
         return 0
+
+
+def write_figures(path: Path, taken: Mapping[str, Any]) -> None:
+    """Add the figures of claims to a file, a line for each claim."""
+    figures = read_json(path) | {claim: figure for claim, figure in taken.items() if figure}
+    lines = [f"{json.dumps(claim)}: {json.dumps(figures[claim])}" for claim in sorted(figures)]
+    write_atomically(path, "{\n" + ",\n".join(lines) + "\n}\n")
+
+
+def shorten(plain: Any) -> Any:
+    """Return plain data with its numbers rounded to DIGITS."""
+    if isinstance(plain, Mapping):
+        return {name: shorten(part) for name, part in plain.items()}
+    if isinstance(plain, list):
+        return [shorten(part) for part in plain]
+    return float(f"{plain:.{DIGITS}g}") if isinstance(plain, float) else plain
 
 
 def claim_entry(result: ClaimResult, about: Mapping[str, str]) -> dict[str, Any]:
