@@ -5,6 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from pages.markdown import table
+from soccer_env.train.pages.pictures import paper_figures
+from soccer_env.train.pages.pictures.paper_figures import FIGURES
 from soccer_env.train.pages.tables.heinemann import PAGE as HEINEMANN_PAGE
 from soccer_env.train.pages.tables.paper_page import DRAWN, NOT_MEASURED, SHOWN, PaperPage
 from soccer_env.train.pages.tables.sacks import PAGE as SACKS_PAGE
@@ -19,7 +21,7 @@ PAPERS = (SACKS_PAGE, HEINEMANN_PAGE)
 
 def pages() -> dict[str, str | bytes]:
     """Return the pages of all claims, and their plots, by path."""
-    found: dict[str, str | bytes] = {}
+    found: dict[str, str | bytes] = {"claims/figures.md": figures_page()}
     known, figures = all_claims(), read_json(DRAWN)
     for paper in PAPERS:
         stored, folder = paper.stored(), f"claims/{paper.folder.name}"
@@ -79,9 +81,20 @@ def command(name: str) -> str:
     return f"```bash\nsoccer reproduce {name} --out runs/{name}\n```\n"
 
 
+def figures_page() -> str:
+    """Return the page of the papers' figures, drawn from our own runs."""
+    parts = ["# Figures of the papers", "Each is drawn from runs of this repository by the command below it."]
+    for name, figure in FIGURES.items():
+        picture = f"![{name}](../soccer_env/pictures/paper-{name}.png)"
+        drawn = f"```bash\npython -m {paper_figures.__name__} {name}\n```"
+        parts += [f"## {figure.paper}: {name}", figure.shows, picture, drawn]
+    return "\n\n".join(parts) + "\n"
+
+
 def navigation() -> list[object]:
     """Return the section of the claims."""
-    return [{"Claims": [{paper.paper: contents(paper)} for paper in PAPERS]}]
+    papers: list[object] = [{paper.paper: contents(paper)} for paper in PAPERS]
+    return [{"Claims": [*papers, {"Figures of the papers": "claims/figures.md"}]}]
 
 
 def contents(paper: PaperPage) -> list[object]:

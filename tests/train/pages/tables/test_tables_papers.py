@@ -87,7 +87,7 @@ def test_a_run_is_taken_in_with_its_verdict_and_interval(tmp_path: Path) -> None
     assert figure["title"] == "One pixel of the ball's width" and figure["rules"] == [5.0, 10.0]
     with pytest.raises(ValueError, match="holds no"):
         PAGE.take(empty_run(tmp_path))
-    assert page.main(["nonsense"]) == heinemann.main(["nonsense"]) == 2
+    assert page.main(["nonsense"]) == 2
 
 
 @PAGES
@@ -114,11 +114,6 @@ def empty_run(path: Path) -> Path:
     (found / "settings.json").write_text(json.dumps({"conditions": {}, "made_with": {}, "about": {}}))
     (found / "claims.jsonl").write_text("")
     return found
-
-
-def test_the_papers_figure_is_drawn_from_our_own_runs_the_same_each_time() -> None:
-    drawn = heinemann.draw_paths()
-    assert drawn.startswith(b"\x89PNG") and drawn == heinemann.draw_paths()
 
 
 def test_the_teams_of_2006_play_each_other_the_chaser_and_themselves_without_a_part() -> None:
