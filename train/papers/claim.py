@@ -2,8 +2,9 @@
 
 import zlib
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from typing import Any, Literal
+from dataclasses import dataclass, replace
+from functools import lru_cache, wraps
+from typing import Any, Literal, TypeVar
 
 import numpy as np
 
@@ -15,6 +16,7 @@ SACKS, HEINEMANN = "Sacks 2001", "Heinemann et al. 2006"
 PAPERS = {"S": SACKS, "H": HEINEMANN}  # by the first letter of a claim's id
 # Rule sets of a claim's matches: the claim is judged from play, from play and staged scenes, or from staged scenes
 LEAGUE = "league"
+T = TypeVar("T")
 PLAYED, PLAYED_AND_STAGED, STAGED, NO_MATCH = (LEAGUE,), (LEAGUE, PATIENT), (PATIENT,), ()
 
 
@@ -48,6 +50,25 @@ class Batch:
     def rng(self, purpose: int = 0) -> np.random.Generator:
         """Return a generator for draws outside matches, such as starting places."""
         return np.random.default_rng(np.random.SeedSequence([*self.sequence().entropy, 1 + purpose]))  # type: ignore[misc]
+
+
+SHARED: list[Any] = []  # the caches of scenes that claims share
+
+
+def shared(scenes: str, most: int = 128, **fields: Any) -> Callable[[Callable[..., T]], Callable[..., T]]:
+    """Let claims share a measurement: batches count as those of `scenes`, with `fields`; `most` results are kept."""
+
+    def decorate(measure: Callable[..., T]) -> Callable[..., T]:
+        kept = lru_cache(maxsize=most)(measure)
+        SHARED.append(kept)
+
+        @wraps(measure)
+        def measure_once(batch: Batch, **settings: Any) -> T:
+            return kept(replace(batch, claim=scenes, **fields), **settings)
+
+        return measure_once
+
+    return decorate
 
 
 @dataclass(frozen=True)

@@ -44,6 +44,15 @@ def plot(
     ]
 
 
+def plot_curves(
+    title: str, x_label: str, y_label: str, curves: Mapping[str, Callable[[Samples], Sequence[Any]]], **more: Any
+) -> Drawing:
+    """Return a drawing of curves, whose functions give x and y, with or without the ends of the interval of y."""
+    return lambda samples: [
+        Figure(title, x_label, y_label, tuple(Curve(name, *of(samples)) for name, of in curves.items()), **more)
+    ]
+
+
 def plot_bins(
     title: str, x_label: str, y_label: str, lines: Mapping[str, Values], place: Values,
     edges: Places, of: Statistic, scale: float = 100.0, place_scale: float = 100.0, **more: Any,

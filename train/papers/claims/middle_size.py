@@ -1,14 +1,13 @@
 """Middle-size robots: vision in changing light by two colour tables, and the own pose.  [Heinemann et al. 2006, 1]"""
 
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
 from soccer_env.match import Match
 from soccer_env.train.papers import staging
-from soccer_env.train.papers.claim import Ablation, Batch, Curve, Figure, claim
-from soccer_env.train.papers.plots import plot_shares, plots
+from soccer_env.train.papers.claim import Ablation, Batch, claim
+from soccer_env.train.papers.plots import plot, plot_shares, plots
 from soccer_env.train.papers.staging import MIDDLE
 from soccer_env.train.papers.values import median, middles_of, quantile, rms
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
@@ -102,18 +101,6 @@ def seen_in_changed_light(samples: Samples, name: str) -> float:
     return float(frames / max(best, 1.0))
 
 
-def light_figures(samples: Samples) -> Sequence[Figure]:
-    """Plot the share of things seen and the range error against the change of the light."""
-    middles = middles_of(BINS)
-    seen = [Curve(label, middles, list(100 * seen_shares_by_light(samples, name))) for name, label in LABELS.items()]
-    erring = [Curve(label, middles, list(100 * range_errors_by_light(samples, name))) for name, label in LABELS.items()]
-    light = "difference of light from the table's own [1]"
-    return (
-        Figure("Things seen under changing light", light, "frames that show a thing [%]", tuple(seen)),
-        Figure("Range error of the ball under changing light", light, "rms error [cm]", tuple(erring)),
-    )
-
-
 H26 = claim(
     "H26", "abstract, 1", "A static colour table needs nearly constant light; the adapting one copes with changes.",
     f"{MATCHES} robots a batch look at a ball and a player {NEAR:g} to {FAR:g} m away and at both goals for "
@@ -134,7 +121,12 @@ H26 = claim(
              lambda s: 100 * float(relative_to_constant_light(s, "fixed", range_errors_by_light)[1]), unit="%"),
     reported("range error under constant light",
              lambda samples: 100 * rms(range_errors_by_light(samples, "constant")), unit="cm"),
-    measure=compare_tables, figures=light_figures, pose="particles",
+    measure=compare_tables, pose="particles",
+    figures=plots(*(plot(f"{title} under changing light", "difference of light from the table's own [1]", unit,
+                         middles_of(BINS), {label: lambda s, of=of, name=name: list(100 * of(s, name))
+                                            for name, label in LABELS.items()})
+                    for title, unit, of in (("Things seen", "frames that show a thing [%]", seen_shares_by_light),
+                                            ("Range error of the ball", "rms error [cm]", range_errors_by_light)))),
     without=Ablation("the own pose, by which the table knows what a pixel must show: here no white line tells it",
                      lambda batch: compare_tables(batch, line_miss=1.0)),
     ingredients=("sensors.table_width and the laws of perception/omni/lighting.py", "sensors.table_time",

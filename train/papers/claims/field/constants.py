@@ -6,9 +6,10 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.papers.claim import Batch, Curve, Figure, claim
+from soccer_env.train.papers.claim import Batch, claim
 from soccer_env.train.papers.claims.field import points
 from soccer_env.train.papers.claims.field.points import NOISE, ROBOTS, SCENES, SPEEDS
+from soccer_env.train.papers.plots import plot_curves, plots
 from soccer_env.train.papers.values import mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
@@ -78,17 +79,6 @@ def moving_over_standing_value(samples: Samples, who: str, axis: str) -> float:
     return least_sufficient_value(samples, who, "moving", axis) / least_sufficient_value(samples, who, "standing", axis)
 
 
-def line_figures(samples: Samples) -> Sequence[Figure]:
-    """Plot the share of clean runs against each constant, for points and for robots."""
-    lines = [(who, kind) for who in ("points", "robots") for kind in KINDS]
-    return [
-        Figure(f"Passing a player without touching it, against {axis}", f"{axis} [m]", "runs [%]",
-               tuple(Curve(f"{who}, {kind}", list(values_of(who, axis)), success(samples, who, kind, axis))
-                     for who, kind in lines))
-        for axis in AXES
-    ]  # fmt: skip
-
-
 S53 = claim(
     "S53", "4.3.2", "Smaller constants suffice for stationary obstacles; moving ones need x0 = 1 m, k2 = 800.",
     f"{SCENES} points a batch (facing the goal, range error {100 * NOISE:.0f} %) past a player that stands up "
@@ -103,7 +93,11 @@ S53 = claim(
       for who in ("points", "robots") for axis in AXES for kind in KINDS),
     *(reported(f"{who}, {kind}: success with the paper's", f"{who} {kind} k2 {PAPER[0]:g}", unit="%")
       for who in ("points", "robots") for kind in KINDS),
-    measure=vary_each_constant, figures=line_figures, least=2, batches=5, seconds=12.0,
+    measure=vary_each_constant, least=2, batches=5, seconds=12.0,
+    figures=plots(*(plot_curves(f"Passing a player without touching it, against {axis}", f"{axis} [m]", "runs [%]",
+                                {f"{who}, {kind}": lambda s, who=who, kind=kind, axis=axis: (
+                                    values_of(who, axis), success(s, who, kind, axis))
+                                 for who in ("points", "robots") for kind in KINDS}) for axis in AXES)),
 )  # fmt: skip
 
 

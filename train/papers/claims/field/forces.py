@@ -68,12 +68,10 @@ S44 = claim(
     f"{SCENES} points a batch pass a player that stands up to 25 cm beside their way, exponents 1, 2 and 3 with "
     "the gain for which the force is 1 at 444 mm, all else as in the team; distance from which the way is 5 degrees "
     "off the goal, and greatest turn from one step to the next.",
-    measured("least fall of the first reaction's distance with the exponent",
-             lambda s: least_fall(onsets(s)), unit="cm",
-             above=0.0),
-    measured("greatest turn rises with the exponent (least rise of the median)",
-             lambda s: least_rise(peaks(s)), unit="deg",
-             above=0.0),
+    measured("least fall of the first reaction's distance with the exponent", lambda s: least_fall(onsets(s)),
+             unit="cm", above=0.0),
+    measured("greatest turn rises with the exponent (least rise of the median)", lambda s: least_rise(peaks(s)),
+             unit="deg", above=0.0),
     *(reported(f"exponent {n}: first reaction", lambda s, i: onsets(s)[i], i, unit="cm")
       for i, n in enumerate(EXPONENTS)),
     *(reported(f"exponent {n}: greatest turn", lambda s, i: peaks(s)[i], i, unit="deg")

@@ -5,14 +5,12 @@ cap on evaluations stem from this. Drives and random crossings were not used for
 """
 
 from collections.abc import Sequence
-from dataclasses import replace
-from functools import lru_cache
 from typing import Any
 
 import numpy as np
 
 from soccer_env.baselines.weigel_2001.planner import Travel
-from soccer_env.train.papers.claim import NO_MATCH, STAGED, Arrows, Batch, Curve, Figure, claim
+from soccer_env.train.papers.claim import NO_MATCH, STAGED, Arrows, Batch, Curve, Figure, claim, shared
 from soccer_env.train.papers.claims.planning import runs
 from soccer_env.train.papers.claims.planning.runs import (
     CANONICAL,
@@ -26,6 +24,7 @@ from soccer_env.train.papers.claims.planning.runs import (
     SPEED,
     WAY,
 )
+from soccer_env.train.papers.plots import plot_curves, plots
 from soccer_env.train.papers.values import mean, quantile, ratio
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
@@ -62,14 +61,9 @@ def canonical_crossings() -> Samples:
     return travel_with_both_planners([*CANONICAL.values()])
 
 
+@shared("crossings", rules=STAGED)
 def measure_crossings(batch: Batch) -> Samples:
     """Return the results of drives (M,); of points in random crossings, "point ..."; of the figure's, "figure ..."."""
-    return _measure_cached(replace(batch, claim="crossings", rules=STAGED))
-
-
-@lru_cache(maxsize=128)
-def _measure_cached(batch: Batch) -> Samples:
-    """Compute `measure_crossings` for a batch that serves as the key of a cache: H08 to H11 share it."""
     count = DRIVES * len(KINDS)
     scenes = runs.scenes_of(batch, CROSSING, count)
     point = travel_with_both_planners(scenes)
@@ -151,15 +145,14 @@ def snapshot(one: Travel, cycle: int, title: str) -> Figure:
     return Figure(title, "x [m]", "y [m]", curves, arrows=course)
 
 
-def gap_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the cumulative distributions of the smallest gap and of the time of the drives, for both planners."""
-    shares, names = np.linspace(1.0, 99.0, 50), {"old": "conventional planner", "new": "time-variant planner"}
-    return tuple(
-        Figure(f"{title} past moving robots", label, "drives below [%]",
-               tuple(Curve(text, list(np.percentile(samples[f"{name} {key}"], shares)), list(shares))
-                     for name, text in names.items()), rules=(50.0,), rule="half of them")
-        for key, title, label in (("gap", "Smallest gap", "gap [m]"), ("time", "Time", "time [s]"))
-    )  # fmt: skip
+SHARES = np.linspace(1.0, 99.0, 50)  # [%] of drives, in the figure
+gap_figure = plots(
+    *(plot_curves(f"{title} past moving robots", label, "drives below [%]",
+                  {text: lambda s, name=f"{planner} {key}": (np.percentile(s[name], SHARES), SHARES)
+                   for planner, text in (("old", "conventional planner"), ("new", "time-variant planner"))},
+                  rules=(50.0,), rule="half of them")
+      for key, title, label in (("gap", "Smallest gap", "gap [m]"), ("time", "Time", "time [s]")))
+)  # fmt: skip
 
 
 H07 = claim(
