@@ -1,7 +1,7 @@
 """A claim of a paper: its statement, its measurement, and the samples and figures that the measurement returns."""
 
 import zlib
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache, wraps
 from typing import Any, Literal, TypeVar
@@ -52,6 +52,7 @@ class Batch:
         return np.random.default_rng(np.random.SeedSequence([*self.sequence().entropy, 1 + purpose]))  # type: ignore[misc]
 
 
+FIRST = "{variant} {sample}"  # form of the names of samples that begin with the variant
 SHARED: list[Any] = []  # the caches of scenes that claims share
 
 
@@ -156,6 +157,17 @@ def claim(id: str, section: str, statement: str, method: str, *criteria: Criteri
 def join_batches(batches: Sequence[Samples]) -> Samples:
     """Concatenate the sample arrays of several batches, name by name."""
     return {name: np.concatenate([batch[name] for batch in batches]) for name in batches[0]}
+
+
+def compare(
+    variants: Mapping[str, Any], measure: Callable[[Any], Samples], form: str = "{sample} {variant}"
+) -> Samples:
+    """Measure each of the variants; return all samples, named by `form`: "error new" for the error of "new"."""
+    return {
+        form.format(sample=sample, variant=variant): values
+        for variant, settings in variants.items()
+        for sample, values in measure(settings).items()
+    }
 
 
 def as_plain(figure: Figure) -> dict[str, Any]:

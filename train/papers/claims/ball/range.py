@@ -110,11 +110,6 @@ def crossing_range(samples: Samples) -> float:
     return float(100 * (MIDDLES[last] + share * WIDTH))
 
 
-def least_ratio(samples: Samples) -> float:
-    """Return the smallest ratio of the rms errors, infrared over size, among the range bins within BEYOND."""
-    return float(np.min(error_ratios(samples)[(BEYOND[0] < MIDDLES) & (BEYOND[1] > MIDDLES)]))
-
-
 def table_steps(resolution: str) -> Samples:
     """Return the middle ("range") and size ("step") [m] of the calibration table's steps from one pixel to the next."""
     league = find_league(LEGGED)
@@ -135,7 +130,8 @@ S06 = claim(
     "in frames without a valid reading on the ball), all frames that show the ball, bins of 5 cm.",
     measured("range from which infrared is the worse one", crossing_range, unit="cm", at_least=100 * CROSSING[0],
              at_most=100 * CROSSING[1]),
-    measured("rms error of infrared over that of size, least in 45 to 80 cm", least_ratio, above=1.0),
+    measured("rms error of infrared over that of size, least in 45 to 80 cm",
+             lambda s: float(np.min(error_ratios(s)[(BEYOND[0] < MIDDLES) & (BEYOND[1] > MIDDLES)])), above=1.0),
     measure=compare_size_and_infrared,
     figures=plot_bins("Range error of the ball", RANGE_LABEL, "rms error [cm]", {f"by {kind}": kind for kind in KINDS},
                       "range", EDGES, rms),

@@ -128,15 +128,6 @@ def compare_cosine_factor(batch: Batch) -> Samples:
     return samples | {"aside": np.abs(crowd["y"][:, 0])}
 
 
-def cosine_figures(samples: Samples) -> Sequence[Figure]:
-    """Plot the paths past a player with the cosine factor and without it, over the field of each variant."""
-    place, plays = [[0.0, 0.15]], {"with the cosine": {}, "without": {"cosine_factor": False}}
-    return (
-        points.draw_field("Forces with the cosine factor", place, plays),
-        points.draw_field("Forces without the cosine factor", place, plays, cosine_factor=False),
-    )
-
-
 S47 = claim(
     "S47", "4.3.1", "Without the cosine factor players beside and behind push robots farther aside than necessary.",
     f"{SCENES} points a batch pass a player that stands up to 40 cm beside their way, with the factor and "
@@ -154,5 +145,8 @@ S47 = claim(
     reported("robots: clean without", "robots clean without", unit="%"),
     reported("extra length of the path is less by",
              lambda s: 100 * (median(s["length without"]) - median(s["length with"])), unit="cm"),
-    measure=compare_cosine_factor, figures=cosine_figures, batches=6, seconds=4.0,
+    measure=compare_cosine_factor, batches=6, seconds=4.0,
+    figures=lambda samples: [points.draw_field(f"Forces {word} the cosine factor", [[0.0, 0.15]],
+                                               {"with the cosine": {}, "without": {"cosine_factor": False}}, **play)
+                             for word, play in (("with", {}), ("without", {"cosine_factor": False}))],
 )  # fmt: skip

@@ -113,14 +113,10 @@ def bias(samples: Samples, table: str, sectors: Sequence[int]) -> np.ndarray:
     return np.array([100 * mean(errors[:, j]) for j in range(len(JERSEYS))])
 
 
-def of_own_size(samples: Samples, name: str) -> np.ndarray:
-    """Return a quantity (RUNS, SECTORS) of players with stickers of their own size."""
-    return samples[name][:, JERSEYS.index(1.0)]
-
-
 def plot_over_views(labels: dict[str, str], title: str, unit: str, scale: float) -> Drawing:
     """Return a drawing of quantities (`labels` by name) against the view, for stickers of their own size."""
-    lines = {label: columns(partial(of_own_size, name=name), scale=scale) for name, label in labels.items()}
+    own, quantities = JERSEYS.index(1.0), labels.items()
+    lines = {label: columns(lambda s, name=name: s[name][:, own], scale=scale) for name, label in quantities}
     return plot(title, "view [degrees from head-on]", unit, [360.0 / SECTORS * i for i in range(SECTORS)], lines)
 
 
