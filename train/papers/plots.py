@@ -24,6 +24,11 @@ def take(samples: Samples, values: Values) -> np.ndarray:
     return samples[values] if isinstance(values, str) else values(samples)
 
 
+def part(name: str, *index: Any) -> Callable[[Samples], np.ndarray]:
+    """Return a function of samples that gives the part `index` of the samples with a name."""
+    return lambda samples: samples[name][index]
+
+
 def plots(*drawings: Drawing) -> Drawing:
     """Return a drawing of all figures of several drawings."""
     return lambda samples: [figure for drawing in drawings for figure in drawing(samples)]

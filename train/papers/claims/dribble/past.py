@@ -18,7 +18,7 @@ from soccer_env.scenes.scene import SceneRandom
 from soccer_env.train.papers.claim import Batch, claim, compare
 from soccer_env.train.papers.claims.field.points import player_near_path, run_robots, starts
 from soccer_env.train.papers.dribble_runs import LONGEST, PAPER, play_drill
-from soccer_env.train.papers.plots import columns, plot, plot_curves
+from soccer_env.train.papers.plots import columns, part, plot, plot_curves
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 Plan = Sequence[tuple[str | Scene, dict[str, Any], float]]  # scene, settings of the team, speed of movers [m/s]
@@ -109,7 +109,7 @@ S63 = claim(
     reported("past with the ball, touched or not, all speeds", "past", unit="%"),
     measure=lambda batch: play_all(batch, [(scene, {}, speed) for scene in MOVING for speed in SPEEDS], FEWER),
     figures=plot("Dribbling past one mover", "its speed [cm/s]", "clean runs [%]", [100 * speed for speed in SPEEDS],
-                 {scene.removeprefix("dribble-past-"): columns(lambda s, i=i: s["clean"][:, drill_columns(i)])
+                 {scene.removeprefix("dribble-past-"): columns(part("clean", ..., drill_columns(i)))
                   for i, scene in enumerate(MOVING)}, rules=(80.0,)),
     batches=8, seconds=6.0,
     ingredients=("the walker goes straight on and never gives way", "bodies with paws, not points"),

@@ -66,6 +66,11 @@ def success(samples: Samples, who: str, kind: str, axis: str) -> list[float]:
     return [100 * mean(samples[f"{who} {kind} {axis} {value:g}"]) for value in values_of(who, axis)]
 
 
+def success_curve(samples: Samples, who: str, kind: str, axis: str) -> tuple[Sequence[float], list[float]]:
+    """Return the tried values of a constant, and the share of clean runs [%] at each."""
+    return values_of(who, axis), success(samples, who, kind, axis)
+
+
 def least_sufficient_value(samples: Samples, who: str, kind: str, axis: str) -> float:
     """Return the least value [m] of a constant at which the fitted success curve is within NEARLY of its maximum."""
     values = values_of(who, axis)
@@ -95,8 +100,7 @@ S53 = claim(
       for who in ("points", "robots") for kind in KINDS),
     measure=vary_each_constant, least=2, batches=5, seconds=12.0,
     figures=plots(*(plot_curves(f"Passing a player without touching it, against {axis}", f"{axis} [m]", "runs [%]",
-                                {f"{who}, {kind}": lambda s, who=who, kind=kind, axis=axis: (
-                                    values_of(who, axis), success(s, who, kind, axis))
+                                {f"{who}, {kind}": partial(success_curve, who=who, kind=kind, axis=axis)
                                  for who in ("points", "robots") for kind in KINDS}) for axis in AXES)),
 )  # fmt: skip
 

@@ -14,7 +14,7 @@ from soccer_env.match.staging import memory_settings_of
 from soccer_env.train.papers.claim import Batch, claim
 from soccer_env.train.papers.claims.players import watching
 from soccer_env.train.papers.claims.players.grouping import TILT, ghosts_and_misses, put_two_in_view, seen_and_believed
-from soccer_env.train.papers.plots import Drawing, columns, plot
+from soccer_env.train.papers.plots import Drawing, columns, part, plot
 from soccer_env.train.papers.staging import begin_scene, play, still_actions
 from soccer_env.train.papers.true_sight import turn_head
 from soccer_env.train.papers.values import mean, median, rms, subtract_row_mean
@@ -246,7 +246,7 @@ S34 = claim(
     measure=compare_errors,
     figures=plot("What one frame's error does to the memory", "time since [s]", "added error [cm]",
                  np.linspace(0.0, AFTER, round(AFTER * RATE) + 1)[::POINT_EVERY],
-                 {f"a {event}": columns(lambda s, name=f"course {event}": s[name][:, ::POINT_EVERY])
+                 {f"a {event}": columns(part(f"course {event}", ..., slice(None, None, POINT_EVERY)))
                   for event in ("ghost", "miss")}),
     seconds=5.0,
     ingredients=("three slots for three opponents", "memory.distance_power, angle_power"),
