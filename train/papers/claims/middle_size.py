@@ -1,5 +1,7 @@
 """Middle-size robots: vision in changing light by two colour tables, and the own pose.  [Heinemann et al. 2006, 1]"""
 
+from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -95,6 +97,11 @@ def relative_to_constant_light(samples: Samples, name: str, quantity: Any) -> np
     return np.asarray(quantity(samples, name) / quantity(samples, "constant"))
 
 
+def by_light(samples: Samples, of: Callable[[Samples, str], np.ndarray], name: str) -> list[float]:
+    """Return a quantity in hundredths in each bin of the light, for the variant `name`."""
+    return list(100 * of(samples, name))
+
+
 def seen_in_changed_light(samples: Samples, name: str) -> float:
     """Return the number of things seen in changed light, divided by the number seen under constant light."""
     frames, best = (samples[f"found {kind}"][:, CHANGED:].sum() for kind in (name, "constant"))
@@ -123,7 +130,7 @@ H26 = claim(
              lambda samples: 100 * rms(range_errors_by_light(samples, "constant")), unit="cm"),
     measure=compare_tables, pose="particles",
     figures=plots(*(plot(f"{title} under changing light", "difference of light from the table's own [1]", unit,
-                         middles_of(BINS), {label: lambda s, of=of, name=name: list(100 * of(s, name))
+                         middles_of(BINS), {label: partial(by_light, of=of, name=name)
                                             for name, label in LABELS.items()})
                     for title, unit, of in (("Things seen", "frames that show a thing [%]", seen_shares_by_light),
                                             ("Range error of the ball", "rms error [cm]", range_errors_by_light)))),

@@ -251,7 +251,7 @@ S39 = claim(
     figures=plots(plot_bins("Scatter of a player's range", "distance [cm]", "deviation [%]",
                             {"largest blob": "largest", "all blobs": "combined"}, "distance", BINS, scatter, 1.0),
                   plot_bins("Frames without a head sticker", "distance [cm]", "share of frames [%]",
-                            {f"stickers {jersey:g} times as large": part("head", ..., j)
+                            {f"stickers {jersey:g} times as large": part("head", slice(None), j)
                              for j, jersey in enumerate(JERSEYS)}, "distance", BINS, lambda head: 1.0 - mean(head))),
     seconds=2.0,
     ingredients=("sensors.sticker_*, all assumed", "sensors.sticker_miss", "sensors.least_area, two pixels"),
