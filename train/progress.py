@@ -18,7 +18,7 @@ class Progress:
         self._total = total
         self._done = 0.0
         self._words = ""
-        self._said = time.monotonic()
+        self._begun = self._said = time.monotonic()
         self._lock = threading.Lock()
         self._bar: Any = None
         if sys.stderr.isatty() and total > 0:
@@ -65,4 +65,15 @@ class Progress:
             return
         self._said = now
         words = f", {self._words}" if self._words else ""
-        print(f"{self._title}: {100 * self._done / self._total:.0f} %{words}", file=sys.stderr, flush=True)
+        print(
+            f"{self._title}: {100 * self._done / self._total:.0f} %{words}{self._left(now)}",
+            file=sys.stderr,
+            flush=True,
+        )
+
+    def _left(self, now: float) -> str:
+        """Return the time that the rest takes at the pace so far, in words; "" before anything is done."""
+        if not 0.0 < self._done < self._total:
+            return ""
+        left = (now - self._begun) * (self._total / self._done - 1.0)
+        return f", {left / 60.0:.0f} min left" if left >= 60.0 else f", {left:.0f} s left"

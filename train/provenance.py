@@ -4,6 +4,7 @@ import datetime
 import hashlib
 import importlib.metadata
 import json
+import platform
 import subprocess
 import sys
 from collections.abc import Iterable
@@ -36,6 +37,12 @@ def made_with(league: League, home: str | Team, away: str | Team) -> dict[str, s
     hashes = {"code": module_hash("soccer_env.match.match"), "home_team": team_hash(home), "away_team": team_hash(away)}
     own = {} if LEAGUES.get(league.name) is league else {"league": digest(league.in_full())}
     return {**versions, **hashes, **own}
+
+
+def play_facts() -> dict[str, str]:
+    """Return versions, machine and world: where they agree, the same match ends in the same state."""
+    versions = {name: version_of(name) for name in LIBRARIES[1:]}
+    return {**versions, "machine": f"{platform.system()} {platform.machine()}", "world": str(WORLD)}
 
 
 def version_of(package: str) -> str:

@@ -28,6 +28,7 @@ from soccer_env.statistics.figures import FIGURES
 from soccer_env.teams import NAMES as TEAMS
 from soccer_env.train.command.command_line import COMMANDS, kinds_of_settings
 from soccer_env.train.command.parsing import flags_of
+from soccer_env.train.papers.claims import all_claims
 from soccer_env.train.papers.results import FOLDERS, read_stored
 
 for package in ("mkdocs", "material", "mkdocstrings"):
@@ -122,13 +123,28 @@ def test_the_catalogue_names_what_there_is_to_choose_from(site: Site) -> None:
     assert [name for name in figures if f"`{name}" not in found["catalogue/statistics.md"]] == []
 
 
-def test_everything_that_was_measured_of_a_claim_stands_on_its_papers_page(site: Site) -> None:
+def test_everything_that_was_measured_of_a_claim_stands_on_its_own_page(site: Site) -> None:
     found = site("pages.claims").pages()
-    for folder in FOLDERS.values():
-        page = found[f"claims/{folder.name}.md"]
-        for name, row in read_stored(folder).items():
-            assert f"\n## {name}: {row['verdict']}" in page
-            assert [one for one in row["findings"] if f"| {one['shown']} |" not in page] == [], name
+    for paper, folder in FOLDERS.items():
+        stored = read_stored(folder)
+        for claim in (one for one in all_claims().values() if one.paper == paper and not one.study):
+            page, row = found[f"claims/{folder.name}/{claim.id}.md"], stored.get(claim.id)
+            assert page.startswith(f"# {claim.id}: {row['verdict'] if row else 'not measured'}")
+            assert claim.statement in page and f"soccer reproduce {claim.id} --out" in page
+            shown = [one["shown"] for one in row["findings"]] if row else []
+            assert [text for text in shown if f"| {text} |" not in page] == [], claim.id
+            assert f"[{claim.id}]({claim.id}.md)" in found[f"claims/{folder.name}/index.md"]
+    listed = str(site("pages.claims").navigation())
+    assert [path for path in found if path.endswith(".md") and path not in listed] == []
+
+
+def test_a_claims_page_shows_its_plot_its_cause_and_when_its_question_changed(site: Site) -> None:
+    found = site("pages.claims").pages()
+    assert found["claims/sacks_2001/S15-1.png"].startswith(b"\x89PNG")
+    assert "](S15-1.png)" in found["claims/sacks_2001/S15.md"]
+    s63 = found["claims/sacks_2001/S63.md"]
+    assert "Likely cause: the paper; it does not tell the speed" in s63 and "\n[changed] 2026-11-22: before, " in s63
+    assert "claim-S63.png" in s63 and "| not [changed] |" in found["claims/sacks_2001/index.md"]
 
 
 def test_every_option_of_every_command_stands_on_the_page_of_commands(site: Site) -> None:

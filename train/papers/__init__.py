@@ -6,6 +6,7 @@ examination.py    measure one claim batch by batch for each seed, until its inte
 workers.py        processes that measure claims
 claim.py          a claim, and the samples and figures of its measurement
 verdicts.py       criteria, and their verdicts from intervals
+replays.py        whether stored results still hold: hashes of question, world and first batch
 results.py        the result of a claim, the folder of a run, and the last results of all claims
 report.py         the report in Markdown, on the screen and as a page for the browser
 plots.py          figures of claims from few words

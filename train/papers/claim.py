@@ -1,9 +1,10 @@
 """A claim of a paper: its statement, its measurement, and the samples and figures that the measurement returns."""
 
 import zlib
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from typing import Any, Literal
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import lru_cache, wraps
+from typing import Any, Literal, TypeVar
 
 import numpy as np
 
@@ -15,6 +16,7 @@ SACKS, HEINEMANN = "Sacks 2001", "Heinemann et al. 2006"
 PAPERS = {"S": SACKS, "H": HEINEMANN}  # by the first letter of a claim's id
 # Rule sets of a claim's matches: the claim is judged from play, from play and staged scenes, or from staged scenes
 LEAGUE = "league"
+T = TypeVar("T")
 PLAYED, PLAYED_AND_STAGED, STAGED, NO_MATCH = (LEAGUE,), (LEAGUE, PATIENT), (PATIENT,), ()
 
 
@@ -48,6 +50,26 @@ class Batch:
     def rng(self, purpose: int = 0) -> np.random.Generator:
         """Return a generator for draws outside matches, such as starting places."""
         return np.random.default_rng(np.random.SeedSequence([*self.sequence().entropy, 1 + purpose]))  # type: ignore[misc]
+
+
+FIRST = "{variant} {sample}"  # form of the names of samples that begin with the variant
+SHARED: list[Any] = []  # the caches of scenes that claims share
+
+
+def shared(scenes: str, most: int = 128, **fields: Any) -> Callable[[Callable[..., T]], Callable[..., T]]:
+    """Let claims share a measurement: batches count as those of `scenes`, with `fields`; `most` results are kept."""
+
+    def decorate(measure: Callable[..., T]) -> Callable[..., T]:
+        kept = lru_cache(maxsize=most)(measure)
+        SHARED.append(kept)
+
+        @wraps(measure)
+        def measure_once(batch: Batch, **settings: Any) -> T:
+            return kept(replace(batch, claim=scenes, **fields), **settings)
+
+        return measure_once
+
+    return decorate
 
 
 @dataclass(frozen=True)
@@ -118,6 +140,7 @@ class Claim:
     figures: Callable[[Samples], Sequence[Figure]] = lambda samples: ()
     note: str | Callable[[Samples], str] = ""  # for readers of the result
     pose: Literal["", "percept", "particles"] = ""  # the localisation that the claim is about; "": the run's --pose
+    timed: bool = False  # its samples are computing times, which no run repeats
     study: bool = False  # no claim of a paper: measured only by name, not by --all
 
     @property
@@ -134,6 +157,17 @@ def claim(id: str, section: str, statement: str, method: str, *criteria: Criteri
 def join_batches(batches: Sequence[Samples]) -> Samples:
     """Concatenate the sample arrays of several batches, name by name."""
     return {name: np.concatenate([batch[name] for batch in batches]) for name in batches[0]}
+
+
+def compare(
+    variants: Mapping[str, Any], measure: Callable[[Any], Samples], form: str = "{sample} {variant}"
+) -> Samples:
+    """Measure each of the variants; return all samples, named by `form`: "error new" for the error of "new"."""
+    return {
+        form.format(sample=sample, variant=variant): values
+        for variant, settings in variants.items()
+        for sample, values in measure(settings).items()
+    }
 
 
 def as_plain(figure: Figure) -> dict[str, Any]:

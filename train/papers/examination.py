@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 from soccer_env.train.papers import verdicts
 from soccer_env.train.papers.claim import LEAGUE, Batch, Claim, as_plain, join_batches, none_or_float
+from soccer_env.train.papers.replays import question_hash, samples_hash
 from soccer_env.train.papers.results import FROM_CLAIM, ClaimResult, as_record
 from soccer_env.train.papers.settings import ReproduceSettings, command_of
 from soccer_env.train.statistics import CONFIDENCE
@@ -49,7 +50,7 @@ def examine(
         indices = ((seed, index) for seed in settings.seeds for index in range(count))
         off = [claim.without.measure(batch_of(claim, settings, *where)) for where in indices]
         without = judge_criteria(claim, join_batches(off), confidence)
-    found = ClaimFindings(findings, without, alone, cap / count)
+    found = ClaimFindings(findings, without, alone, cap / count, "" if claim.timed else samples_hash(taken[0][0]))
     return result_of(claim, settings, join_all_samples(taken), found, settings_hash)
 
 
@@ -93,6 +94,7 @@ class ClaimFindings(NamedTuple):
     without: list[verdicts.Finding]  # of all seeds without the ingredient
     alone: list[list[verdicts.Finding]]  # of each seed's samples alone
     share: float  # cap over batches taken
+    sample: str  # hash of the first batch
 
 
 def result_of(
@@ -126,5 +128,7 @@ def result_of(
         without=claim.without.ingredient if claim.without else "",
         without_findings=[as_record(finding) for finding in found.without],
         figures=[as_plain(figure) for figure in claim.figures(samples)],
+        asks=question_hash(claim),
+        sample=found.sample,
         settings=settings_hash,
     )

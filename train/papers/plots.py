@@ -24,6 +24,11 @@ def take(samples: Samples, values: Values) -> np.ndarray:
     return samples[values] if isinstance(values, str) else values(samples)
 
 
+def part(name: str, *index: Any) -> Callable[[Samples], np.ndarray]:
+    """Return a function of samples that gives the part `index` of the samples with a name."""
+    return lambda samples: samples[name][index]
+
+
 def plots(*drawings: Drawing) -> Drawing:
     """Return a drawing of all figures of several drawings."""
     return lambda samples: [figure for drawing in drawings for figure in drawing(samples)]
@@ -41,6 +46,15 @@ def plot(
     """Return a drawing with a curve over the places x for each of `lines`; `more`: fields of the Figure."""
     return lambda samples: [
         Figure(title, x_label, y_label, tuple(Curve(name, list(x), of(samples)) for name, of in lines.items()), **more)
+    ]
+
+
+def plot_curves(
+    title: str, x_label: str, y_label: str, curves: Mapping[str, Callable[[Samples], Sequence[Any]]], **more: Any
+) -> Drawing:
+    """Return a drawing of curves, whose functions give x and y, with or without the ends of the interval of y."""
+    return lambda samples: [
+        Figure(title, x_label, y_label, tuple(Curve(name, *of(samples)) for name, of in curves.items()), **more)
     ]
 
 

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 from soccer_env.match.staging import PATIENT
 from soccer_env.train.evaluate.report import plain_number, table
-from soccer_env.train.papers.results import ClaimResult, rules_in_words
-from soccer_env.train.papers.verdicts import CONTEXT, UNDECIDED, VERDICTS
+from soccer_env.train.papers.results import ClaimResult, remarks_on, rules_in_words
+from soccer_env.train.papers.verdicts import CONTEXT, NOT, UNDECIDED, VERDICTS
 from soccer_env.train.report import MISSING, ReportPage, can_draw, draw_curves, draw_intervals
 from soccer_env.train.report.charts import Row
 from soccer_env.train.results_folder import ResultsFolder
@@ -130,6 +130,9 @@ def claim_parts(result: ClaimResult) -> Iterator[str | list[tuple[str, ...]]]:
     yield f"Rests on: {'; '.join(result.ingredients)}." if result.ingredients else ""
     yield f"With the ingredient off ({result.without}):" if result.without else ""
     yield finding_rows(result.without_findings, result.n)
+    remarks = remarks_on(result.id, result.paper)
+    yield f"Likely cause: {remarks['cause']}." if result.verdict == NOT and "cause" in remarks else ""
+    yield f"[changed] {remarks['changed']}." if "changed" in remarks else ""
     yield result.note
 
 

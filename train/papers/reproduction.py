@@ -17,9 +17,10 @@ from soccer_env.train.papers.results import CLAIMS, REPRODUCTION, ClaimResult, p
 from soccer_env.train.papers.settings import ReproduceSettings, command_of
 from soccer_env.train.papers.workers import examine_in_processes
 from soccer_env.train.progress import Progress
-from soccer_env.train.provenance import LIBRARIES, date_and_commit, digest, module_hash, version_of
+from soccer_env.train.provenance import LIBRARIES, date_and_commit, digest, module_hash, play_facts, version_of
 from soccer_env.train.report import MISSING, can_draw, draw_curves
 from soccer_env.train.results_folder import ResultsFolder
+from soccer_env.types import WORLD
 
 
 def reproduce(settings: ReproduceSettings, *, known: Mapping[str, Claim] | None = None) -> list[ClaimResult]:
@@ -37,7 +38,7 @@ def reproduce(settings: ReproduceSettings, *, known: Mapping[str, Claim] | None 
         "claims": [claim.id for claim in claims], "budget": settings.budget, "pose": settings.pose,
         "rules": settings.rules, "seeds": list(settings.seeds),
     }  # fmt: skip
-    about = {"command": command_of(settings), **date_and_commit()}
+    about = {"command": command_of(settings), **date_and_commit(), **play_facts()}
     folder = ResultsFolder(settings.out, REPRODUCTION, conditions, made_with(claims), about, settings.anew)
     done = measure_missing(claims, settings, folder, ours)
     results = [done[claim.id] for claim in claims]
@@ -55,7 +56,7 @@ def made_with(claims: list[Claim]) -> dict[str, str]:
         {getattr(claim.measure, "func", claim.measure).__module__ for claim in claims}
     )  # func: of a partial
     code = {"code": module_hash("soccer_env.match.match"), "claims": digest("".join(map(module_hash, modules)))}
-    return {name: version_of(name) for name in LIBRARIES} | code
+    return {name: version_of(name) for name in LIBRARIES} | {"world": str(WORLD)} | code
 
 
 def measure_missing(

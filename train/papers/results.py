@@ -1,7 +1,9 @@
 """The result of a claim, the files of a reproduction run, and the last results of all claims.
 
 The last results are stored in claims.json in the folder of each paper's team, for the teams' pages, the site and
-`soccer reproduce ID --stored`. The claim's own texts (statement, method, bounds, note) are not stored.
+`soccer reproduce ID --stored`. The claim's own texts (statement, method, bounds, note) are not stored. remarks.json
+beside it says of a claim when and how it "changed" after a first look, and the likely "cause" if it is not reproduced:
+the paper, the simulator or our reading.
 """
 
 import json
@@ -49,6 +51,8 @@ class ClaimResult:
     without: str  # the ingredient that a by-construction claim rests on
     without_findings: list[dict[str, Any]]  # the same criteria with it off
     figures: list[dict[str, Any]]
+    asks: str  # hash of the claim's question
+    sample: str  # hash of the first batch of the first seed; "": of times, which no other run repeats
     settings: str  # hash of the conditions and of what the run was made with
 
     @property
@@ -96,11 +100,12 @@ REPRODUCTION = RunKind(
 )  # fmt: skip
 
 
-FILE = "claims.json"
+FILE, REMARKS = "claims.json", "remarks.json"
 FOLDERS = {
     paper: Path(baselines.__path__[0]) / team for paper, team in ((SACKS, "sacks_2001"), (HEINEMANN, "heinemann_2006"))
 }
 FROM_CLAIM = ("id", "paper", "section", "statement", "method", "condition")  # fields that a result shares with it
+HASHES = ("asks", "sample")  # of rows since world 4
 KEPT = ("verdict", "by_seed", "quick", "n", "n_used", "command", "pose", "rules", "criterion", "seeds")  # of a result
 
 Measured = Mapping[str, Mapping[str, Any]]  # claim: its stored result
@@ -108,9 +113,18 @@ Measured = Mapping[str, Mapping[str, Any]]  # claim: its stored result
 
 def read_stored(folder: Path) -> dict[str, dict[str, Any]]:
     """Return the stored results, by claim, from the claims.json of a folder; empty without this file."""
-    path = folder / FILE
-    results: dict[str, dict[str, Any]] = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
-    return results
+    return read_json(folder / FILE)
+
+
+def read_json(path: Path) -> dict[str, dict[str, Any]]:
+    """Return the contents of a JSON file by claim; empty without this file."""
+    found: dict[str, dict[str, Any]] = json.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
+    return found
+
+
+def remarks_on(claim: str, paper: str) -> dict[str, str]:
+    """Return the remarks on a claim: when and how it "changed", and the likely "cause" if it is not reproduced."""
+    return read_json(FOLDERS[paper] / REMARKS).get(claim, {}) if paper in FOLDERS else {}
 
 
 def stored_results(names: Iterable[str]) -> list[ClaimResult]:
@@ -126,12 +140,12 @@ def stored_results(names: Iterable[str]) -> list[ClaimResult]:
 
 def restore_result(claim: Claim, row: Mapping[str, Any]) -> ClaimResult:
     """Convert a stored result to a ClaimResult, without figures and with numbers as text."""
-    about = row["about"]
-    measured = f"Measured {about['date']}, commit {about['commit'] or 'none'}."
+    measured = f"Measured {measured_where(row)}."
     note = claim.note if isinstance(claim.note, str) else ""
     return ClaimResult(
         **{name: getattr(claim, name) for name in FROM_CLAIM},
         **{name: row[name] for name in KEPT},
+        **{name: row.get(name, "") for name in HASHES},
         estimate=None,
         low=None,
         high=None,
@@ -144,6 +158,12 @@ def restore_result(claim: Claim, row: Mapping[str, Any]) -> ClaimResult:
         figures=[],
         settings="",
     )
+
+
+def measured_where(row: Mapping[str, Any]) -> str:
+    """Return date, commit and world of a stored result, in words."""
+    about = row["about"]
+    return f"{about['date']} ({about['commit'] or 'no commit'}, world {about.get('world', '1')})"
 
 
 def add_bounds(claim: Claim, row: Mapping[str, Any], finding: Mapping[str, Any]) -> dict[str, Any]:

@@ -148,8 +148,10 @@ def test_without_a_terminal_a_plain_line_appears_now_and_then(clock: list[float]
         for _ in range(40):
             clock[0] += 1.0
             work.advance(1.0)
-    shares = [100 * EVERY / 40, 200 * EVERY / 40]
-    assert capsys.readouterr().err.splitlines() == [f"reproduce: {share:.0f} %, S05, 0 of 2 done" for share in shares]
+    said = [
+        f"reproduce: {100 * done / 40:.0f} %, S05, 0 of 2 done, {40 - done:.0f} s left" for done in (EVERY, 2 * EVERY)
+    ]
+    assert capsys.readouterr().err.splitlines() == said
 
 
 def test_short_work_and_no_work_say_nothing(clock: list[float], capsys: pytest.CaptureFixture[str]) -> None:

@@ -6,9 +6,7 @@ from typing import Any
 import pytest
 
 from soccer_env import Match
-from soccer_env.train.papers.claims.goalkeeping import saves
-from soccer_env.train.papers.claims.planning import crossings
-from soccer_env.train.papers.claims.stuck import branches, sampled, surface
+from soccer_env.train.papers.claim import SHARED
 
 
 @pytest.fixture
@@ -22,10 +20,6 @@ def made(monkeypatch: pytest.MonkeyPatch) -> Iterator[set[str]]:
         names.add(match.league.rules.name)
 
     monkeypatch.setattr(Match, "__init__", record)
-    kept = (
-        sampled._sample_cached, branches._follow_cached, surface._measure_cached, crossings._measure_cached,
-        saves._compare_cached,
-    )  # fmt: skip
-    for cached in kept:
+    for cached in SHARED:
         cached.cache_clear()
     yield names

@@ -55,7 +55,7 @@ def test_arrows_point_to_the_goal_where_nobody_is() -> None:
 
 
 def test_a_field_is_drawn_with_its_arrows() -> None:
-    figure = as_plain(forces.cosine_figures({})[0])
+    figure = as_plain(forces.S47.figures({})[0])
     assert set(figure["arrows"]) == {"x", "y", "along_x", "along_y"}
     assert draw_curves(figure)[:4] == b"\x89PNG" and draw_curves(figure) == draw_curves(figure)
     assert figure_table(figure) == "Forces with the cosine factor: a picture of the field, which needs matplotlib"

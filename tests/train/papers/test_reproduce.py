@@ -14,7 +14,7 @@ from soccer_env.train.papers.claims import all_claims, find_claims
 from soccer_env.train.papers.examination import examination_points
 from soccer_env.train.papers.report import row, section
 from soccer_env.train.papers.reproduction import reproduce
-from soccer_env.train.papers.results import FOLDERS, read_stored
+from soccer_env.train.papers.results import FOLDERS, measured_where, read_stored
 from soccer_env.train.papers.settings import ReproduceSettings, command_of
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 from tests.train.papers.staged_claims import CALLS, KNOWN, POSES, claim, draw, run
@@ -233,7 +233,7 @@ def test_stored_results_are_printed_with_every_criterion_and_nothing_is_measured
         found, claim = stored[name], all_claims()[name]
         assert all(one["shown"] in printed for one in found["findings"] + found["without_findings"])
         assert claim.statement in printed and claim.method in printed and str(claim.note).strip() in printed
-        assert f"Measured {found['about']['date']}, commit {found['about']['commit']}." in printed
+        assert f"Measured {measured_where(found)}." in printed
     assert "With the ingredient off (the own pose" in printed and "at least 80" in printed
 
 

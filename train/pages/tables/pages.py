@@ -14,7 +14,6 @@ quickly and fails only if a ratio has grown beyond SLOWER.
 """
 
 import json
-import platform
 import sys
 from collections.abc import Callable
 from hashlib import sha256
@@ -46,16 +45,17 @@ from soccer_env.train.pages.tables.teams import (
     scripted_rows,
     scripted_table,
 )
+from soccer_env.train.papers.claims import all_claims
+from soccer_env.train.papers.replays import changed_rows
 from soccer_env.train.papers.reproduction import reproduce
+from soccer_env.train.papers.results import FOLDERS, read_stored
 from soccer_env.train.papers.settings import ReproduceSettings, command_of
-from soccer_env.train.provenance import commit, version_of
+from soccer_env.train.provenance import date_and_commit, play_facts
 from soccer_env.types import WORLD
 
 DATA = Path(__file__).with_name("tables.json")
 ROOT = Path(__file__).resolve().parents[3]
 PLAYED = ("scripted", "sacks", "heinemann", "learned", "plausibility")  # tables whose rows are matches
-LIBRARIES = ("pymunk", "numba", "numpy")
-SAME = (*LIBRARIES, "machine", "world")  # facts with which the same match ends in the same state
 SLOWER = 2.0  # factor by which a ratio may grow before the check fails; machines are noisy
 
 
@@ -74,16 +74,7 @@ def measure_speed() -> dict[str, Any]:
 
 def about() -> dict[str, str]:
     """Return date, commit, machine and versions of a measurement."""
-    import datetime
-
-    versions = {name: version_of(name) for name in LIBRARIES} | {"world": str(WORLD)}
-    today = datetime.datetime.now(datetime.timezone.utc).date().isoformat()
-    return {"date": today, "commit": commit(), "machine": machine(), **versions}
-
-
-def machine() -> str:
-    """Return the kind of machine, because the last bits of play depend on it."""
-    return f"{platform.system()} {platform.machine()}"
+    return date_and_commit() | play_facts()
 
 
 def sensors_table(table: dict[str, Any]) -> str:
@@ -161,18 +152,20 @@ def check(data: dict[str, Any], quick: bool = False) -> list[str]:
     for page in dict.fromkeys(PAGES.values()):
         if fill_page_tables(page_text(page), page, data) != page_text(page):
             problems.append(f"{page} does not show what tables.json holds: run python -m {__package__} write")
-    now = about()
+    now = play_facts()
     for name in PLAYED:
         if name not in data:
             continue
         made = data[name]["about"]
-        if all(made.get(name, "1") == now[name] for name in SAME):
+        if all(made.get(fact, "1") == now[fact] for fact in now):
             problems += [problem for row in data[name]["rows"] for problem in replay_row(row)]
         else:
             print(
                 f"tables: versions, machine or world differ from those of {name}; matches are not compared",
                 file=sys.stderr,
             )
+    for folder in FOLDERS.values():
+        problems += changed_rows(read_stored(folder), all_claims())
     return problems if quick else problems + slower_rows(data["speed"])
 
 

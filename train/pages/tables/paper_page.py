@@ -21,12 +21,27 @@ from soccer_env.train.papers.claim import Claim
 from soccer_env.train.papers.claims import all_claims
 from soccer_env.train.papers.report import estimate_with_interval
 from soccer_env.train.papers.reproduction import reproduce
-from soccer_env.train.papers.results import FILE, KEPT, ClaimResult, Measured, plot_name, read_stored, restore_result
+from soccer_env.train.papers.results import (
+    FILE,
+    HASHES,
+    KEPT,
+    ClaimResult,
+    Measured,
+    measured_where,
+    plot_name,
+    read_json,
+    read_stored,
+    restore_result,
+)
 from soccer_env.train.papers.settings import ReproduceSettings
 from soccer_env.train.papers.verdicts import NOT, VERDICTS
+from soccer_env.train.provenance import play_facts
 from soccer_env.train.results_folder import SETTINGS, read_settings
+from soccer_env.types import WORLD
 
 SHOWN = Path(__file__).resolve().parents[3] / "soccer_env" / "pictures"
+DRAWN = Path(__file__).with_name("figures.json")  # the figures of each claim's last measurement, for the site
+DIGITS = 4  # significant, of a number in a figure
 NOT_MEASURED = "not measured"
 SIGNS = {"at least ": "≥", "at most ": "≤", "above ": ">", "below ": "<", "and ": ""}  # of bounds, in short
 
@@ -41,6 +56,7 @@ class PaperPage:
     run: Path  # the folder of a run of all claims, which can be stopped and resumed
     tables: Mapping[str, Callable[[], str]]  # besides the table of claims
     both_papers: bool = False  # whether that run measures the claims of the other paper, too
+    drawn: Path = DRAWN
 
     @property
     def claims(self) -> tuple[str, ...]:
@@ -60,7 +76,7 @@ class PaperPage:
     def take(self, run: Path) -> dict[str, dict[str, Any]]:
         """Take over the paper's claims from the folder of a run of `soccer reproduce`; ValueError if it holds none.
 
-        The pictures for the page are copied; pictures of claims that the run lacks stay as they are.
+        Pictures for the page and figures for the site are taken over, too; those of other claims stay as they are.
         """
         about = read_settings(run / SETTINGS).get("about", {})
         names = [field.name for field in fields(ClaimResult)]
@@ -69,6 +85,8 @@ class PaperPage:
         claims = {result.id: claim_entry(result, about) for result in results if result.id in self.claims}
         if not claims:
             raise ValueError(f"{run} holds no claim of {self.paper}")
+        figures = {result.id: shorten(result.figures) for result in results if result.id in self.claims}
+        write_figures(self.drawn, figures)
         for claim, number in self.pictures.items():
             drawn = run / plot_name(claim, number)
             if drawn.exists():
@@ -106,13 +124,29 @@ class PaperPage:
         return 0
 
 
+def write_figures(path: Path, taken: Mapping[str, Any]) -> None:
+    """Add the figures of claims to a file, a line for each claim."""
+    figures = read_json(path) | {claim: figure for claim, figure in taken.items() if figure}
+    lines = [f"{json.dumps(claim)}: {json.dumps(figures[claim])}" for claim in sorted(figures)]
+    write_atomically(path, "{\n" + ",\n".join(lines) + "\n}\n")
+
+
+def shorten(plain: Any) -> Any:
+    """Return plain data with its numbers rounded to DIGITS."""
+    if isinstance(plain, Mapping):
+        return {name: shorten(part) for name, part in plain.items()}
+    if isinstance(plain, list):
+        return [shorten(part) for part in plain]
+    return float(f"{plain:.{DIGITS}g}") if isinstance(plain, float) else plain
+
+
 def claim_entry(result: ClaimResult, about: Mapping[str, str]) -> dict[str, Any]:
     """Return the entry of claims.json for the result of a claim, with the date and commit of the run."""
     return {
-        **{name: getattr(result, name) for name in KEPT},
+        **{name: getattr(result, name) for name in (*KEPT, *HASHES)},
         "findings": [finding_entry(one) for one in result.findings],
         "without_findings": [finding_entry(one) for one in result.without_findings],
-        "about": {name: about.get(name, "") for name in ("date", "commit")},
+        "about": {name: about[name] for name in ("date", "commit", *play_facts()) if name in about},
     }
 
 
@@ -162,9 +196,9 @@ def verdict_counts(measured: Measured, claims: Sequence[str]) -> str:
 
 
 def measurement_sources(measured: Measured) -> str:
-    """Return the dates and commits of the measurements, in words."""
-    runs = {f"{row['about']['date']} ({row['about']['commit'] or 'no commit'})" for row in measured.values()}
-    return f"Measured {', '.join(sorted(runs))}." if runs else ""
+    """Return the dates, commits and worlds of the measurements, in words."""
+    runs = {measured_where(row) for row in measured.values()}
+    return f"Measured {'; '.join(sorted(runs))}. The present world is {WORLD}." if runs else ""
 
 
 def replace_between_markers(text: str, name: str, table: str) -> str:

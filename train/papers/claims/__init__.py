@@ -18,8 +18,9 @@ To add a claim:
    ingredient, too.
 6. One batch should take 2 to 3 s compiled on one core; write this time into `seconds`, the cap into `batches`
    (default run: at most about 2 minutes a claim). `figures(samples)` returns plain data, which the report draws;
-   `../plots.py` makes most. `condition` is what the verdict must name: "reproduced, where ...". Claims that measure
-   the same scenes keep them in a cache (`planning/crossings.py`).
+   `../plots.py` makes most. `condition` is what the verdict must name: "reproduced, where ...". `shared` lets claims
+   share scenes, `compare` measures variants, `timed` says that samples are times, which nobody can replay. A change of
+   the question and the likely cause of a "not" are a line each in remarks.json of the paper's team.
 7. `soccer reproduce ID --quick`; a test in tests/train/papers holds every module to these rules.
 
 Measure the paper's words over the range that they name; a claim that does not hold is a finding.

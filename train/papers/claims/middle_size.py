@@ -1,14 +1,15 @@
 """Middle-size robots: vision in changing light by two colour tables, and the own pose.  [Heinemann et al. 2006, 1]"""
 
-from collections.abc import Sequence
+from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numpy as np
 
 from soccer_env.match import Match
 from soccer_env.train.papers import staging
-from soccer_env.train.papers.claim import Ablation, Batch, Curve, Figure, claim
-from soccer_env.train.papers.plots import plot_shares, plots
+from soccer_env.train.papers.claim import Ablation, Batch, claim
+from soccer_env.train.papers.plots import plot, plot_shares, plots
 from soccer_env.train.papers.staging import MIDDLE
 from soccer_env.train.papers.values import median, middles_of, quantile, rms
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
@@ -96,22 +97,15 @@ def relative_to_constant_light(samples: Samples, name: str, quantity: Any) -> np
     return np.asarray(quantity(samples, name) / quantity(samples, "constant"))
 
 
+def by_light(samples: Samples, of: Callable[[Samples, str], np.ndarray], name: str) -> list[float]:
+    """Return a quantity in hundredths in each bin of the light, for the variant `name`."""
+    return list(100 * of(samples, name))
+
+
 def seen_in_changed_light(samples: Samples, name: str) -> float:
     """Return the number of things seen in changed light, divided by the number seen under constant light."""
     frames, best = (samples[f"found {kind}"][:, CHANGED:].sum() for kind in (name, "constant"))
     return float(frames / max(best, 1.0))
-
-
-def light_figures(samples: Samples) -> Sequence[Figure]:
-    """Plot the share of things seen and the range error against the change of the light."""
-    middles = middles_of(BINS)
-    seen = [Curve(label, middles, list(100 * seen_shares_by_light(samples, name))) for name, label in LABELS.items()]
-    erring = [Curve(label, middles, list(100 * range_errors_by_light(samples, name))) for name, label in LABELS.items()]
-    light = "difference of light from the table's own [1]"
-    return (
-        Figure("Things seen under changing light", light, "frames that show a thing [%]", tuple(seen)),
-        Figure("Range error of the ball under changing light", light, "rms error [cm]", tuple(erring)),
-    )
 
 
 H26 = claim(
@@ -134,7 +128,12 @@ H26 = claim(
              lambda s: 100 * float(relative_to_constant_light(s, "fixed", range_errors_by_light)[1]), unit="%"),
     reported("range error under constant light",
              lambda samples: 100 * rms(range_errors_by_light(samples, "constant")), unit="cm"),
-    measure=compare_tables, figures=light_figures, pose="particles",
+    measure=compare_tables, pose="particles",
+    figures=plots(*(plot(f"{title} under changing light", "difference of light from the table's own [1]", unit,
+                         middles_of(BINS), {label: partial(by_light, of=of, name=name)
+                                            for name, label in LABELS.items()})
+                    for title, unit, of in (("Things seen", "frames that show a thing [%]", seen_shares_by_light),
+                                            ("Range error of the ball", "rms error [cm]", range_errors_by_light)))),
     without=Ablation("the own pose, by which the table knows what a pixel must show: here no white line tells it",
                      lambda batch: compare_tables(batch, line_miss=1.0)),
     ingredients=("sensors.table_width and the laws of perception/omni/lighting.py", "sensors.table_time",
@@ -253,11 +252,6 @@ def recovery(lost: np.ndarray, dt: float) -> np.ndarray:
     return np.where(calm.any(axis=1), calm.argmax(axis=1) * dt, np.nan)
 
 
-def recovery_times(samples: Samples) -> np.ndarray:
-    """Return the times to recover [s], infinite for who does not."""
-    return np.nan_to_num(samples["time"], nan=np.inf)
-
-
 H27 = claim(
     "H27", "1", "Self-localisation with the omnidirectional camera is efficient and reliable.",
     f"{DRIVERS} robots a batch drive about among {OTHERS} others at {SPEED:g} m/s; begun untold anywhere; error "
@@ -271,8 +265,8 @@ H27 = claim(
     reported("median time to recover", "time", of=median, unit="s"),
     measure=drive_and_carry,
     figures=plots(plot_shares("Robots that know where they are again", "time since carried [s]", "robots [%]",
-                              np.linspace(0.0, LONGEST, 41), {"within 0.5 m and 20 degrees": recovery_times},
-                              rules=(95.0,)),
+                              np.linspace(0.0, LONGEST, 41), {"within 0.5 m and 20 degrees": lambda s: np.nan_to_num(
+                                  s["time"], nan=np.inf)}, rules=(95.0,)),
                   plot_shares("Error of the own pose while driving", "error [cm]", "share of the time [%]",
                               np.linspace(0.0, 0.5, 26), {"error at most": "place"}, place_scale=100.0)),
     pose="particles", batches=12, seconds=2.7,

@@ -25,8 +25,6 @@ EDGES = {  # [m] of the bins of the distance
 BACK = {LEGGED: -1.25, MIDDLE: -5.5}  # [m] x of the robot that looks, facing the other goal
 ASIDE = 0.15  # [rad] bearings to either side
 LEVEL = -0.15  # [rad] tilt of a head that looks for players
-
-
 SCALES = {"cm": 100.0, "deg": 180.0 / np.pi, "cm/s": 100.0, "%": 100.0}  # from SI to the unit
 ESTIMATES = {  # sensed or estimated quantities whose errors are plotted, and their units
     "ball, range": "cm",

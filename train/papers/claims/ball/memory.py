@@ -1,5 +1,6 @@
 """The memory of an unseen ball, and the robot's own motion.  [Sacks 2001, 3.1.1, fn 2]"""
 
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -52,15 +53,25 @@ def look_at_ball(batch: Batch, **memory: Any) -> Match:
     return match
 
 
-def walk_blind(batch: Batch, odometry: str) -> Samples:
-    """Walk 1 m blind, on an arc of up to 90 degrees away from the ball; return errors of the remembered ball (M,)."""
+def walk_blind(batch: Batch, odometry: str) -> Iterator[Match]:
+    """Walk 1 m blind, on an arc of up to 90 degrees away from the ball; yield the matches after every step."""
     match = look_at_ball(batch, odometry=odometry)
     blind_cameras(match)
     seconds, actions = WAY / SPEED, still_actions(match)
     away = -np.sign(distance_to_ball(match)[1])
     actions[:, 0, 0] = 1.0
     actions[:, 0, 2] = away * batch.rng(1).uniform(0.0, 0.5 * np.pi, MATCHES) / seconds / TURN
-    return errors_after(match, seconds, actions)
+    yield from (match for _ in play(match, seconds, actions))
+    match.close()
+
+
+def compare_memories(batch: Batch) -> Samples:
+    """Return the errors of the remembered ball (M,) at the end of blind walks, for each of VARIANTS."""
+    samples: Samples = {}
+    for variant in VARIANTS:
+        *_, match = walk_blind(batch, variant)
+        samples |= {f"{name} {variant}": errors for name, errors in ball_errors(match).items()}
+    return samples
 
 
 def roll_balls(batch: Batch, seen: bool) -> Samples:
@@ -119,9 +130,7 @@ S12 = claim(
     reported("no update: median error of the place", "place none", of=median, unit="cm"),
     reported("rotation only: the same", "place rotation", of=median, unit="cm"),
 
-    measure=lambda batch: {f"{name} {variant}": errors for variant in VARIANTS
-                           for name, errors in walk_blind(batch, variant).items()},
-    seconds=1.5,
+    measure=compare_memories, seconds=1.5,
     ingredients=("sensors.odometry_noise", "drive.slip", "memory.odometry"),
 )  # fmt: skip
 

@@ -10,9 +10,9 @@ import numpy as np
 from soccer_env.leagues import find_league
 from soccer_env.perception.legged.calibration import calibrate
 from soccer_env.train.papers import staging
-from soccer_env.train.papers.claim import NO_MATCH, Ablation, Batch, Curve, Figure, claim
+from soccer_env.train.papers.claim import NO_MATCH, Ablation, Batch, claim
 from soccer_env.train.papers.claims.players.watching import stage_watchers
-from soccer_env.train.papers.plots import plot_bins, plots
+from soccer_env.train.papers.plots import plot_bins, plot_curves, plots
 from soccer_env.train.papers.staging import LEGGED
 from soccer_env.train.papers.true_sight import look_first, range_from_camera, stare_for
 from soccer_env.train.papers.values import bin_masks, median, middles_of, quantile, ratio, rms, subtract_row_mean
@@ -61,14 +61,12 @@ def watch_ball(batch: Batch, place: np.ndarray, seconds: float = SECONDS, **sett
     return staging.record(match, staging.play(match, seconds), read)
 
 
-def range_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the median and the quartiles of the range error against the distance."""
+def error_quartiles(samples: Samples) -> Sequence[Sequence[float]]:
+    """Return bins of the distance [cm], and the median and quartiles [cm] of the range error in them."""
     edges = np.linspace(NEAR, FAR, 9)
     error = np.abs(samples["distance"])
     errors = [error[there] for there in bin_masks(samples["range"][:, 0], edges)]
-    low, middle, high = ([100 * quantile(e, q) for e in errors] for q in (0.25, 0.5, 0.75))
-    curve = Curve("median and quartiles", middles_of(edges, 100), middle, low, high)
-    return (Figure("Range error of the ball, unobstructed", RANGE_LABEL, "error [cm]", (curve,)),)
+    return middles_of(edges, 100), *([100 * quantile(e, share) for e in errors] for share in (0.5, 0.25, 0.75))
 
 
 S05 = claim(
@@ -78,7 +76,9 @@ S05 = claim(
     measured("median range error over the distance",
              lambda samples: 100 * median(np.abs(samples["distance"]) / samples["range"]), unit="%", at_most=10.0),
     measured("median bearing error", lambda s: np.degrees(median(np.abs(s["bearing"]))), unit="deg", at_most=2.0),
-    measure=lambda batch: watch_ball(batch, batch.rng(1).uniform(NEAR, FAR, MATCHES), memory=OLD), figures=range_figure,
+    measure=lambda batch: watch_ball(batch, batch.rng(1).uniform(NEAR, FAR, MATCHES), memory=OLD),
+    figures=plot_curves("Range error of the ball, unobstructed", RANGE_LABEL, "error [cm]",
+                        {"median and quartiles": error_quartiles}),
     seconds=0.7,
     ingredients=("sensors.dither", "sensors.scale_error", "the tables of perception/legged/calibration.py"),
 )  # fmt: skip
@@ -110,11 +110,6 @@ def crossing_range(samples: Samples) -> float:
     return float(100 * (MIDDLES[last] + share * WIDTH))
 
 
-def least_ratio(samples: Samples) -> float:
-    """Return the smallest ratio of the rms errors, infrared over size, among the range bins within BEYOND."""
-    return float(np.min(error_ratios(samples)[(BEYOND[0] < MIDDLES) & (BEYOND[1] > MIDDLES)]))
-
-
 def table_steps(resolution: str) -> Samples:
     """Return the middle ("range") and size ("step") [m] of the calibration table's steps from one pixel to the next."""
     league = find_league(LEGGED)
@@ -129,19 +124,14 @@ def range_at_step(samples: Samples, step: float) -> float:
     return float(100 * np.interp(step, samples["step"][0][order], samples["range"][0][order]))
 
 
-def step_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the range difference of one pixel of the ball's width against the range."""
-    curve = Curve("88x72", list(100 * samples["range"][0]), list(100 * samples["step"][0]))
-    return (Figure("One pixel of the ball's width", "range [cm]", "worth in range [cm]", (curve,), rules=(5.0, 10.0)),)
-
-
 S06 = claim(
     "S06", "3.1.1", "Beyond about 40 cm infrared tells the ball's range less accurately than its size.",
     f"{2 * MATCHES} standing robots a batch track an unobstructed ball; range by size or by the ranger (by size "
     "in frames without a valid reading on the ball), all frames that show the ball, bins of 5 cm.",
     measured("range from which infrared is the worse one", crossing_range, unit="cm", at_least=100 * CROSSING[0],
              at_most=100 * CROSSING[1]),
-    measured("rms error of infrared over that of size, least in 45 to 80 cm", least_ratio, above=1.0),
+    measured("rms error of infrared over that of size, least in 45 to 80 cm",
+             lambda s: float(np.min(error_ratios(s)[(BEYOND[0] < MIDDLES) & (BEYOND[1] > MIDDLES)])), above=1.0),
     measure=compare_size_and_infrared,
     figures=plot_bins("Range error of the ball", RANGE_LABEL, "rms error [cm]", {f"by {kind}": kind for kind in KINDS},
                       "range", EDGES, rms),
@@ -157,7 +147,9 @@ S15 = claim(
     "The calibration table for the ball's width: range at which neighbouring sizes are 5 and 10 cm apart.",
     *(exact(f"range at which a pixel is worth {100 * step:.0f} cm", range_at_step, step, unit="cm",
             at_least=100 * low, at_most=100 * high) for step, low, high in STEPS),
-    rules=NO_MATCH, measure=lambda batch: table_steps("88x72"), figures=step_figure, batches=1, seconds=0.5,
+    rules=NO_MATCH, measure=lambda batch: table_steps("88x72"), batches=1, seconds=0.5,
+    figures=plot_curves("One pixel of the ball's width", "range [cm]", "worth in range [cm]",
+                        {"88x72": lambda s: (100 * s["range"][0], 100 * s["step"][0])}, rules=(5.0, 10.0)),
     without=Ablation("88x72 pixels: with 176x144 instead", lambda batch: table_steps("176x144")),
     ingredients=("88 pixels over 57.6 degrees", "a ball 84 mm across"),
 )  # fmt: skip

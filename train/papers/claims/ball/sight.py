@@ -1,13 +1,13 @@
 """How steadily a robot sees the ball: averaging, bearing against range, the head, jumps.  [Sacks 2001, 3.1.1, fn 4]"""
 
 from dataclasses import replace
-from typing import Any
+from functools import partial
 
 import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.train.papers import staging
-from soccer_env.train.papers.claim import PLAYED, Ablation, Batch, claim
+from soccer_env.train.papers.claim import PLAYED, Ablation, Batch, claim, compare
 from soccer_env.train.papers.claims.ball.range import CAMERA_AHEAD, RANGE_LABEL
 from soccer_env.train.papers.plots import plot_bins
 from soccer_env.train.papers.staging import LEGGED
@@ -118,6 +118,7 @@ WATCHED, TIME = 48, 20.0  # matches with one robot that watches, [s]: S11
 KEPT = 0.5  # [m] from the ball, S11
 FARTHER = 0.5  # [m] in a frame, S11
 RIGHT = 0.25  # [1] of the true distance within which a sighting is right
+RULE_SETS = {"none": (False, False), "both": (True, True), "horizon": (True, False), "area": (False, True)}
 MOVED = 0.2  # [m] a ball that moves farther in a frame was moved by the referee
 
 
@@ -142,12 +143,12 @@ def count_centred_frames(batch: Batch) -> Samples:
     return samples
 
 
-def count_jumps(batch: Batch, **memory: Any) -> tuple[np.ndarray, np.ndarray]:
-    """Let a robot follow the ball of three opponents, who play identically in every call.
+def count_jumps(batch: Batch, rules: tuple[bool, bool]) -> Samples:
+    """Let a robot, with the rules horizon and double_area on or off, follow the ball of three who play identically.
 
-    Return counts (M,): jumps of the believed ball to a wrong distance, and frames with a correct sighting.
+    Return counts (M,): "jumps" of the believed ball to a wrong distance, and frames with a "right" sighting.
     """
-    senses = {"home": "sensors", "away": "ideal"}
+    senses, memory = {"home": "sensors", "away": "ideal"}, dict(zip(("horizon", "double_area"), rules, strict=True))
     match = staging.stage(batch, matches=WATCHED, home=1, away=3, opponents="chaser", senses=senses, memory=memory)
     match.reset(seeds=batch.seeds(WATCHED))
     (jumps, right), actions = np.zeros((2, WATCHED)), staging.still_actions(match)
@@ -166,16 +167,7 @@ def count_jumps(batch: Batch, **memory: Any) -> tuple[np.ndarray, np.ndarray]:
         right += (age < 0.5 * match.league.dt) & (np.abs(now - true) < RIGHT * true)
         before, place_before = now, place
     match.close()
-    return jumps, right
-
-
-def compare_sighting_rules(batch: Batch) -> Samples:
-    """Count jumps and correct sightings with both rules (horizon, double area), with each rule alone, and with none."""
-    samples: Samples = {}
-    for name, horizon, area in (("none", False, False), ("both", True, True), ("horizon", True, False),
-                                ("area", False, True)):  # fmt: skip
-        samples[f"jumps {name}"], samples[f"right {name}"] = count_jumps(batch, horizon=horizon, double_area=area)
-    return samples
+    return {"jumps": jumps, "right": right}
 
 
 def fewer_jumps(samples: Samples, name: str) -> float:
@@ -207,6 +199,6 @@ S11 = claim(
     reported("fewer jumps by the height test alone", fewer_jumps, "horizon", unit="%"),
     reported("fewer jumps by the area thresholds alone", fewer_jumps, "area", unit="%"),
     reported("jumps a minute without the rules", lambda s: float(s["jumps none"].mean() * 60.0 / TIME)),
-    measure=compare_sighting_rules, batches=24, seconds=4.0,
+    measure=lambda batch: compare(RULE_SETS, partial(count_jumps, batch)), batches=24, seconds=4.0,
     ingredients=("sensors.patches, patch_low, red_as_orange", "memory.horizon_angle, area_small, area_large"),
 )  # fmt: skip

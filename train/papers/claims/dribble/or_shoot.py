@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match.staging import send_off
-from soccer_env.train.papers.claim import PLAYED, Batch, claim
+from soccer_env.train.papers.claim import PLAYED, Batch, claim, compare
 from soccer_env.train.papers.dribble_runs import start_drill
 from soccer_env.train.papers.plots import plot_shares
 from soccer_env.train.papers.verdicts import Samples, measured, reported
@@ -22,7 +22,7 @@ MORE: dict[str, dict[str, Any]] = {
 }
 
 
-def play_to_goal(batch: Batch, settings: dict[str, Any], blockers: str | None) -> tuple[np.ndarray, ...]:
+def play_to_goal(batch: Batch, settings: dict[str, Any], blockers: str | None) -> Samples:
     """Play from the drill's start to a goal or for SECONDS, against the team `blockers` or, if None, against nobody.
 
     Return goals and goals against (M,), the ball's progress [m] towards the goal, and the time of the end [s].
@@ -47,19 +47,15 @@ def play_to_goal(batch: Batch, settings: dict[str, Any], blockers: str | None) -
         best = np.where(running, np.maximum(best, match.balls["x"]), best)
     half = match.league.pitch.length / 2
     match.close()
-    return goals, against, np.where(goals > 0, half, best) - start, ended
+    progress = np.where(goals > 0, half, best) - start
+    return {"goals": goals, "against": against, "progress": progress, "ended": ended}
 
 
 def compare_strategies(batch: Batch) -> Samples:
     """Return goals, goals against, progress and end times of both strategies by kind of blockers, and of MORE."""
-    samples: Samples = {}
-    plan = [(name, settings, where) for name, settings in STRATEGIES.items() for where in BLOCKERS]
-    plan += [(name, settings, "") for name, settings in MORE.items()]
-    for name, settings, where in plan:
-        runs = play_to_goal(batch, settings, BLOCKERS[where])
-        for quantity, values in zip(("goals", "against", "progress", "ended"), runs, strict=True):
-            samples[f"{quantity} {name}{where}"] = values
-    return samples
+    plan = {f"{name}{where}": (how, team) for name, how in STRATEGIES.items() for where, team in BLOCKERS.items()}
+    plan |= {name: (how, BLOCKERS[""]) for name, how in MORE.items()}
+    return compare(plan, lambda how: play_to_goal(batch, *how))
 
 
 def dribbling_advantage(samples: Samples, quantity: str, where: str = "", factor: float = 100.0) -> float:

@@ -4,7 +4,6 @@ A player's distance counts from the camera to its surface, as the sensors gave i
 """
 
 from collections.abc import Sequence
-from functools import partial
 from math import pi
 from typing import Any
 
@@ -16,10 +15,10 @@ from soccer_env.match.arguments import Senses
 from soccer_env.scenes import Scene
 from soccer_env.scenes.drills_legged import legged_drill, put_at_distance, send_mover, start_dribble
 from soccer_env.scenes.scene import SceneRandom
-from soccer_env.train.papers.claim import Batch, Curve, Figure, claim
+from soccer_env.train.papers.claim import Batch, claim, compare
 from soccer_env.train.papers.claims.field.points import player_near_path, run_robots, starts
 from soccer_env.train.papers.dribble_runs import LONGEST, PAPER, play_drill
-from soccer_env.train.papers.plots import columns, plot
+from soccer_env.train.papers.plots import columns, part, plot, plot_curves
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 Plan = Sequence[tuple[str | Scene, dict[str, Any], float]]  # scene, settings of the team, speed of movers [m/s]
@@ -50,10 +49,8 @@ def dribble_past_still(batch: Batch) -> Samples:
     """Dribble past one, two, three standing players; past one also with ideal senses, doubled k2, and from afar."""
     samples = play_all(batch, [(scene, {}, PAPER) for scene in STILL], MATCHES)
     strong = {"player_gain": 2.0 * SacksSettings().player_gain}
-    variants: tuple[tuple[str, dict[str, Any], Senses], ...] = (("ideal", {}, "ideal"), ("strong", strong, "sensors"))
-    for name, settings, senses in variants:
-        one = play_drill(batch, STILL[0], settings, MATCHES, senses=senses)
-        samples |= {f"{key} {name}": values for key, values in one.items()}
+    variants: dict[str, tuple[dict[str, Any], Senses]] = {"ideal": ({}, "ideal"), "strong": (strong, "sensors")}
+    samples |= compare(variants, lambda how: play_drill(batch, STILL[0], how[0], MATCHES, senses=how[1]))
     rng = batch.rng()
     start, crowd = starts(rng, MATCHES), player_near_path(rng, 0.0, 0.25, MATCHES)
     return samples | {"clean afar": run_robots(batch, start, crowd).is_clean}
@@ -93,11 +90,6 @@ def drill_columns(index: int, most: float = 1.0) -> list[int]:
     return [index * len(SPEEDS) + i for i, speed in enumerate(SPEEDS) if speed <= most]
 
 
-def clean_of_drill(samples: Samples, index: int) -> np.ndarray:
-    """Return which runs of one drill of MOVING are clean (M, speeds)."""
-    return samples["clean"][:, drill_columns(index)]
-
-
 def speed_columns(*speeds: float) -> list[int]:
     """Return the column indices of the given speeds [m/s], in all drills of MOVING."""
     return [i for i in range(len(MOVING) * len(SPEEDS)) if SPEEDS[i % len(SPEEDS)] in speeds]
@@ -117,7 +109,7 @@ S63 = claim(
     reported("past with the ball, touched or not, all speeds", "past", unit="%"),
     measure=lambda batch: play_all(batch, [(scene, {}, speed) for scene in MOVING for speed in SPEEDS], FEWER),
     figures=plot("Dribbling past one mover", "its speed [cm/s]", "clean runs [%]", [100 * speed for speed in SPEEDS],
-                 {scene.removeprefix("dribble-past-"): columns(partial(clean_of_drill, index=i))
+                 {scene.removeprefix("dribble-past-"): columns(part("clean", ..., drill_columns(i)))
                   for i, scene in enumerate(MOVING)}, rules=(80.0,)),
     batches=8, seconds=6.0,
     ingredients=("the walker goes straight on and never gives way", "bodies with paws, not points"),
@@ -129,6 +121,7 @@ S63 = claim(
 
 REPLANS = (0.125, 0.25, 0.5, 1.0, 2.0)  # [s] between two decisions; the paper's is 0.5
 SCENES = ("dribble-past-two", "dribble-past-mover-far")
+FINE = np.geomspace(REPLANS[0], REPLANS[-1], 33)  # [s] of the figure
 DEGREE = 2  # of the curve in the logarithm of the time: a rise, a fall and a bend
 
 
@@ -145,17 +138,6 @@ def fitted_clean_share(samples: Samples, *times: float) -> float:
     return float(np.polyval(curve, np.log2(times)).mean())
 
 
-def replan_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the shares of runs by outcome against the time between decisions, and the fitted curve."""
-    times = np.geomspace(REPLANS[0], REPLANS[-1], 33)
-    curves = (
-        Curve("without a touch", REPLANS, columns("clean")(samples)),
-        Curve("past", REPLANS, columns("past")(samples)),
-        Curve("without a touch, curve", list(times), [fitted_clean_share(samples, time) for time in times]),
-    )
-    return (Figure("Dribbling by the time between decisions", "time [s]", "runs [%]", curves),)
-
-
 S52 = claim(
     "S52", "4.3.2", "Half a second between recalculations suits steps that take half a second.",
     f"{FEWER} runs a batch past two still players and past a mover, with decisions every "
@@ -166,7 +148,11 @@ S52 = claim(
     measured("curve at 0.5 s less at 1 s", lambda s: fitted_clean_share(s, 0.5) - fitted_clean_share(s, 1.0),
              unit="%", above=0.0),
     *(reported(f"clean at {time:g} s", "clean", REPLANS.index(time), unit="%") for time in REPLANS),
-    measure=compare_decision_times, figures=replan_figure, batches=7, seconds=8.0,
+    measure=compare_decision_times, batches=7, seconds=8.0,
+    figures=plot_curves("Dribbling by the time between decisions", "time [s]", "runs [%]",
+                        {"without a touch": lambda s: (REPLANS, columns("clean")(s)),
+                         "past": lambda s: (REPLANS, columns("past")(s)),
+                         "without a touch, curve": lambda s: (FINE, [fitted_clean_share(s, time) for time in FINE])}),
     ingredients=("gait steps of half a second: a decision takes effect when one begins",),
     note="A decision takes effect when the next gait step begins: deciding more often brings a fresher picture. A "
     "second is only two steps, 7 cm.",

@@ -6,9 +6,10 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.train.papers.claim import Batch, Curve, Figure, claim
+from soccer_env.train.papers.claim import Batch, claim
 from soccer_env.train.papers.claims.field import points
 from soccer_env.train.papers.claims.field.points import NOISE, ROBOTS, SCENES, SPEEDS
+from soccer_env.train.papers.plots import plot_curves, plots
 from soccer_env.train.papers.values import mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
@@ -65,6 +66,11 @@ def success(samples: Samples, who: str, kind: str, axis: str) -> list[float]:
     return [100 * mean(samples[f"{who} {kind} {axis} {value:g}"]) for value in values_of(who, axis)]
 
 
+def success_curve(samples: Samples, who: str, kind: str, axis: str) -> tuple[Sequence[float], list[float]]:
+    """Return the tried values of a constant, and the share of clean runs [%] at each."""
+    return values_of(who, axis), success(samples, who, kind, axis)
+
+
 def least_sufficient_value(samples: Samples, who: str, kind: str, axis: str) -> float:
     """Return the least value [m] of a constant at which the fitted success curve is within NEARLY of its maximum."""
     values = values_of(who, axis)
@@ -76,17 +82,6 @@ def least_sufficient_value(samples: Samples, who: str, kind: str, axis: str) -> 
 def moving_over_standing_value(samples: Samples, who: str, axis: str) -> float:
     """Return the least sufficient value of a constant for moving players divided by the value for standing players."""
     return least_sufficient_value(samples, who, "moving", axis) / least_sufficient_value(samples, who, "standing", axis)
-
-
-def line_figures(samples: Samples) -> Sequence[Figure]:
-    """Plot the share of clean runs against each constant, for points and for robots."""
-    lines = [(who, kind) for who in ("points", "robots") for kind in KINDS]
-    return [
-        Figure(f"Passing a player without touching it, against {axis}", f"{axis} [m]", "runs [%]",
-               tuple(Curve(f"{who}, {kind}", list(values_of(who, axis)), success(samples, who, kind, axis))
-                     for who, kind in lines))
-        for axis in AXES
-    ]  # fmt: skip
 
 
 S53 = claim(
@@ -103,7 +98,10 @@ S53 = claim(
       for who in ("points", "robots") for axis in AXES for kind in KINDS),
     *(reported(f"{who}, {kind}: success with the paper's", f"{who} {kind} k2 {PAPER[0]:g}", unit="%")
       for who in ("points", "robots") for kind in KINDS),
-    measure=vary_each_constant, figures=line_figures, least=2, batches=5, seconds=12.0,
+    measure=vary_each_constant, least=2, batches=5, seconds=12.0,
+    figures=plots(*(plot_curves(f"Passing a player without touching it, against {axis}", f"{axis} [m]", "runs [%]",
+                                {f"{who}, {kind}": partial(success_curve, who=who, kind=kind, axis=axis)
+                                 for who in ("points", "robots") for kind in KINDS}) for axis in AXES)),
 )  # fmt: skip
 
 

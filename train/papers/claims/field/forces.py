@@ -68,12 +68,10 @@ S44 = claim(
     f"{SCENES} points a batch pass a player that stands up to 25 cm beside their way, exponents 1, 2 and 3 with "
     "the gain for which the force is 1 at 444 mm, all else as in the team; distance from which the way is 5 degrees "
     "off the goal, and greatest turn from one step to the next.",
-    measured("least fall of the first reaction's distance with the exponent",
-             lambda s: least_fall(onsets(s)), unit="cm",
-             above=0.0),
-    measured("greatest turn rises with the exponent (least rise of the median)",
-             lambda s: least_rise(peaks(s)), unit="deg",
-             above=0.0),
+    measured("least fall of the first reaction's distance with the exponent", lambda s: least_fall(onsets(s)),
+             unit="cm", above=0.0),
+    measured("greatest turn rises with the exponent (least rise of the median)", lambda s: least_rise(peaks(s)),
+             unit="deg", above=0.0),
     *(reported(f"exponent {n}: first reaction", lambda s, i: onsets(s)[i], i, unit="cm")
       for i, n in enumerate(EXPONENTS)),
     *(reported(f"exponent {n}: greatest turn", lambda s, i: peaks(s)[i], i, unit="deg")
@@ -130,15 +128,6 @@ def compare_cosine_factor(batch: Batch) -> Samples:
     return samples | {"aside": np.abs(crowd["y"][:, 0])}
 
 
-def cosine_figures(samples: Samples) -> Sequence[Figure]:
-    """Plot the paths past a player with the cosine factor and without it, over the field of each variant."""
-    place, plays = [[0.0, 0.15]], {"with the cosine": {}, "without": {"cosine_factor": False}}
-    return (
-        points.draw_field("Forces with the cosine factor", place, plays),
-        points.draw_field("Forces without the cosine factor", place, plays, cosine_factor=False),
-    )
-
-
 S47 = claim(
     "S47", "4.3.1", "Without the cosine factor players beside and behind push robots farther aside than necessary.",
     f"{SCENES} points a batch pass a player that stands up to 40 cm beside their way, with the factor and "
@@ -156,5 +145,8 @@ S47 = claim(
     reported("robots: clean without", "robots clean without", unit="%"),
     reported("extra length of the path is less by",
              lambda s: 100 * (median(s["length without"]) - median(s["length with"])), unit="cm"),
-    measure=compare_cosine_factor, figures=cosine_figures, batches=6, seconds=4.0,
+    measure=compare_cosine_factor, batches=6, seconds=4.0,
+    figures=lambda samples: [points.draw_field(f"Forces {word} the cosine factor", [[0.0, 0.15]],
+                                               {"with the cosine": {}, "without": {"cosine_factor": False}}, **play)
+                             for word, play in (("with", {}), ("without", {"cosine_factor": False}))],
 )  # fmt: skip

@@ -1,5 +1,6 @@
 """Balls that roll past a player, and passes: with each base, after each kick, with each cycle.  [H. 2006, 1, 2]"""
 
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,7 @@ from soccer_env.match import Match
 from soccer_env.skills.set_pieces import kick_strength_for
 from soccer_env.teams import make_team
 from soccer_env.train.papers import staging
-from soccer_env.train.papers.claim import Batch, claim
+from soccer_env.train.papers.claim import FIRST, Batch, claim, compare
 from soccer_env.train.papers.claims.goalkeeping.shots import SHOT_TEXT, SHOTS, face_shots
 from soccer_env.train.papers.plots import each, plot, plot_bins
 from soccer_env.train.papers.staging import MIDDLE
@@ -26,6 +27,9 @@ FROM = (3.0, 5.0)  # [m] of the ball from the player
 ASIDE = (0.0, 1.5)  # [m] of the ball's way beside the player, to either side
 SPEEDS = (1.0, 3.0)  # [m/s] of the rolling ball at its start
 OLD = "middle-size-2006-differential"
+WAYS: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {  # settings of the team, of the memory: H24
+    "with": ({}, {}), "without": ({}, {"filter": "none"}), "follows": ({"intercepts": False}, {}),
+}  # fmt: skip
 BALL_TEXT = (
     f"{BALLS} balls a batch that roll at {SPEEDS[0]:g} to {SPEEDS[1]:g} m/s from {FROM[0]:g} to {FROM[1]:g} m away "
     f"past a player that faces them, up to {ASIDE[1]:g} m aside, by sensors and particles; it gets a ball if that lies "
@@ -76,11 +80,6 @@ def wait_for_possession(match: Match, r: int, actions: np.ndarray | None = None)
     return {"got": got.astype(float), "time": time}
 
 
-def prefix_names(prefix: str, samples: Samples) -> Samples:
-    """Put a prefix before the names of all samples except the speed."""
-    return {key if key == "speed" else f"{prefix} {key}": values for key, values in samples.items()}
-
-
 H24 = claim(
     "H24", "1", "A pass receiver uses the ball's velocity to intercept it.",
     f"{BALL_TEXT}; with the ball's velocity, and with none in its belief (filter=none), all else the same.",
@@ -90,11 +89,9 @@ H24 = claim(
     reported("with it, going to where the ball is (intercepts=False)", "follows got", unit="%"),
     reported("time with it, of those had", lambda s: median(s["with time"][s["with got"] > 0]), unit="s"),
     reported("time without it", lambda s: median(s["without time"][s["without got"] > 0]), unit="s"),
-    measure=lambda batch: (prefix_names("with", receive(batch, {}))
-                           | prefix_names("without", receive(batch, {}, memory={"filter": "none"}))
-                           | prefix_names("follows", receive(batch, {"intercepts": False}))),
+    measure=lambda batch: compare(WAYS, lambda how: receive(batch, how[0], memory=how[1]), FIRST),
     figures=plot_bins("Passes received", "speed of the ball [m/s]", "received [%]",
-                      {"with the ball's velocity": "with got", "without": "without got"}, "speed",
+                      {"with the ball's velocity": "with got", "without": "without got"}, "with speed",
                       (1.0, 1.5, 2.0, 2.5, 3.0), mean, place_scale=1.0),
     batches=6, seconds=5.0,
 )  # fmt: skip
@@ -102,11 +99,11 @@ H24 = claim(
 
 def compare_bases(batch: Batch) -> Samples:
     """Return the results of `receive` and goals from far-post shots, with the fast base and with the old base."""
-    samples: Samples = {}
-    for name, league in (("fast", MIDDLE), ("old", OLD)):
-        samples |= prefix_names(name, receive(batch, {}, league))
-        samples[f"{name} goal"] = face_shots(batch, {}, league=league).goal.astype(float)
-    return samples
+
+    def results(league: str) -> Samples:
+        return {**receive(batch, {}, league), "goal": face_shots(batch, {}, league=league).goal.astype(float)}
+
+    return compare({"fast": MIDDLE, "old": OLD}, results, FIRST)
 
 
 H01 = claim(
@@ -156,8 +153,7 @@ H03 = claim(
     reported("fastest ball after a full kick (mean), which was put in", "full top", unit="m/s"),
     reported("full kicks had", "full got", unit="%"),
     reported("speed after a controlled kick", "soft top", unit="m/s"),
-    measure=lambda batch: (prefix_names("soft", kick_passes(batch, True))
-                           | prefix_names("full", kick_passes(batch, False))),
+    measure=lambda batch: compare({"soft": True, "full": False}, partial(kick_passes, batch), FIRST),
     batches=4, seconds=5.0,
     ingredients=("the kicker's 0 to 10 m/s and the scatter of 5 % and 2 degrees of a kick",),
 )  # fmt: skip

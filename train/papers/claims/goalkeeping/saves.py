@@ -1,14 +1,13 @@
 """Saves of the passive and the active goalkeeper, of shots at the farther post.  [Heinemann et al. 2006, 4]"""
 
 from collections.abc import Sequence
-from dataclasses import replace
-from functools import lru_cache
+from functools import partial
 from math import inf
 from typing import Any
 
-from soccer_env.train.papers.claim import Batch, Curve, Figure, claim
+from soccer_env.train.papers.claim import Batch, claim, shared
 from soccer_env.train.papers.claims.goalkeeping.shots import FEWER, SHOT_TEXT, SHOTS, SLOWER, SPEEDS, face_shots
-from soccer_env.train.papers.plots import each, plot, plot_bins, plots
+from soccer_env.train.papers.plots import each, plot, plot_bins, plot_curves, plots
 from soccer_env.train.papers.values import mean, ratio
 from soccer_env.train.papers.verdicts import Criterion, Samples, measured, reported
 
@@ -35,17 +34,12 @@ NOTE = (
 INGREDIENTS = ("a reaction of 0.1 s and 4 m/s2: the league's delay and base", "the tracker: see H29")
 
 
+@shared("stances")
 def compare_stances(batch: Batch) -> Samples:
     """Return the goals and keepers' ways [m] (M,) of equal shots, for each of STANCES and KEEPERS, and their speeds.
 
     "near ...": goals of shots at the nearer post, keepers on the line.
     """
-    return _compare_cached(replace(batch, claim="stances"))
-
-
-@lru_cache(maxsize=128)
-def _compare_cached(batch: Batch) -> Samples:
-    """Compute `compare_stances` for a batch that serves as the key of a cache: H18 to H20, H23 and H30 share it."""
     samples: Samples = {}
     for keeper, (settings, memory) in KEEPERS.items():
         for stance, place in STANCES.items():
@@ -184,17 +178,11 @@ def prevented_goals(samples: Samples, fit: str, noise: str) -> float:
     return 100.0 * mean(samples[f"{fit} {noise} passive"] - samples[f"{fit} {noise} active"])
 
 
-def prevented_goals_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the prevented goals against the error of the believed ball."""
-    curves = tuple(
-        Curve(
-            text,
-            [100.0 * mean(samples[f"{fit} {noise} error"]) for tried, noise in TRIED if tried == fit],
-            [prevented_goals(samples, fit, noise) for tried, noise in TRIED if tried == fit],
-        )
-        for fit, text in (("kalman", "Kalman filter"), ("fit", "fit over five frames"))
-    )
-    return (Figure("What the active keeper spares", "error of the believed ball [cm]", "goals [%]", curves),)
+def goals_by_error(samples: Samples, fit: str) -> Sequence[Sequence[float]]:
+    """Return the error of the believed ball [cm] and the prevented goals, for each noise tried with a filter."""
+    noises = [noise for tried, noise in TRIED if tried == fit]
+    errors = [100.0 * mean(samples[f"{fit} {noise} error"]) for noise in noises]
+    return errors, [prevented_goals(samples, fit, noise) for noise in noises]
 
 
 H22 = claim(
@@ -208,7 +196,9 @@ H22 = claim(
     reported("at 30 times, Kalman filter", prevented_goals, "kalman", "thirtyfold", unit="%"),
     reported("error of the ball at 10 times", "fit tenfold error", unit="cm"),
     reported("error of the ball at 30 times", "fit thirtyfold error", unit="cm"),
-    measure=compare_camera_noise, condition="with a fit over five frames", figures=prevented_goals_figure, batches=5,
-    seconds=10.5,
+    measure=compare_camera_noise, condition="with a fit over five frames", batches=5, seconds=10.5,
+    figures=plot_curves("What the active keeper spares", "error of the believed ball [cm]", "goals [%]",
+                        {text: partial(goals_by_error, fit=fit)
+                         for fit, text in (("kalman", "Kalman filter"), ("fit", "fit over five frames"))}),
     ingredients=INGREDIENTS,
 )  # fmt: skip

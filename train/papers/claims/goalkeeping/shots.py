@@ -1,5 +1,6 @@
 """Shots at the goalkeeper of 2006: from 3 to 5 m, kicked at 4 to 10 m/s at the farther post or the nearer one."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -9,6 +10,7 @@ from soccer_env.match import Match
 from soccer_env.train.papers.claim import Batch
 from soccer_env.train.papers.staging import MIDDLE, begin_scene, put, put_ball, stage_team
 
+Look = Callable[[Match], None] | None
 SHOTS = 48  # of a batch
 LOOK, SECONDS = 1.0, 3.0  # [s] of looking at the ball before it is kicked, and longest of a shot
 FROM = (3.0, 5.0)  # [m] of the ball from the middle of the goal
@@ -37,9 +39,12 @@ class ShotOutcomes:
 
 def face_shots(
     batch: Batch, settings: dict[str, Any], *, shots: int = SHOTS, near_post: bool = False, league: str = MIDDLE,
-    **more: Any,
+    look: Look = None, **more: Any,
 ) -> ShotOutcomes:  # fmt: skip
-    """Kick shots at a goalkeeper of heinemann-2006 with `settings`, return outcomes; `more`: options of the match."""
+    """Kick shots at a goalkeeper of heinemann-2006 with `settings`, return outcomes; `more`: options of the match.
+
+    `look` is called in every step after the kick.
+    """
     rng, match = batch.rng(), stage_team(batch, "heinemann-2006", settings, league, matches=shots, home=2, **more)
     pitch, ball = match.league.pitch, match.league.ball
     goal, side = -pitch.length / 2, rng.choice([-1.0, 1.0], shots)
@@ -52,10 +57,12 @@ def face_shots(
     put(match, 0, goal + 0.8 * np.cos(facing), 0.8 * np.sin(facing), facing)
     put_ball(match, x, y)
     begin_scene(match, placed=True)
-    return shoot(match, (x, y), speed, way)
+    return shoot(match, (x, y), speed, way, look)
 
 
-def shoot(match: Match, place: tuple[np.ndarray, np.ndarray], speed: np.ndarray, way: np.ndarray) -> ShotOutcomes:
+def shoot(
+    match: Match, place: tuple[np.ndarray, np.ndarray], speed: np.ndarray, way: np.ndarray, look: Look = None
+) -> ShotOutcomes:
     """Hold the ball for LOOK seconds, kick it, and return the outcomes of the shots."""
     rate, count = match.league.control_rate, match.count
     for _ in range(round(LOOK * rate)):
@@ -69,6 +76,8 @@ def shoot(match: Match, place: tuple[np.ndarray, np.ndarray], speed: np.ndarray,
     goal, open_, moved, square = np.zeros(count, bool), np.ones(count, bool), np.zeros(count), []
     for _ in range(round(SECONDS * rate)):
         match.step()
+        if look is not None:
+            look(match)
         keeper, ball = match.robots[:, 0], match.balls
         goal |= match.matches["score"][:, 1] > 0
         error = ball_error(match)

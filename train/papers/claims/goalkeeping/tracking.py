@@ -1,12 +1,13 @@
 """The believed velocities of ball and robots in play, and the challenge of 2003.  [Heinemann et al. 2006, 1]"""
 
+from functools import partial
 from typing import Any
 
 import numpy as np
 
 from soccer_env.match import Match
 from soccer_env.scenes import find_scene
-from soccer_env.train.papers.claim import PLAYED, Batch, claim
+from soccer_env.train.papers.claim import FIRST, PLAYED, Batch, claim, compare
 from soccer_env.train.papers.claims.goalkeeping.saves import FIT
 from soccer_env.train.papers.staging import MIDDLE, make_matches
 from soccer_env.train.papers.values import mean, median
@@ -98,8 +99,8 @@ BALLS: dict[str, dict[str, Any]] = {
 }
 
 
-def dribble_round(batch: Batch, **senses: Any) -> tuple[np.ndarray, np.ndarray]:
-    """Return in which runs of the challenge (M,) a robot gets past with the ball, and in which untouched as well."""
+def dribble_round(batch: Batch, senses: dict[str, Any]) -> Samples:
+    """Return in which runs of the challenge (M,) a robot gets "past" with the ball, and in which untouched: "clean"."""
     scene = find_scene(CHALLENGE)
     sides = {"home": "heinemann-2006:dribbles_round=True", "away": "still"}
     match = make_matches(batch, MIDDLE, scene.rules, matches=RUNS, home=1, away=4, scene=scene, episode="drill",
@@ -112,17 +113,7 @@ def dribble_round(batch: Batch, **senses: Any) -> tuple[np.ndarray, np.ndarray]:
         touched |= ~over & (match.robot_events["collision"][:, 0] == 1)
         over |= past | match.terminated | match.truncated
     match.close()
-    return past, past & ~touched
-
-
-def measure_challenge(batch: Batch) -> Samples:
-    """Return for each of BALLS which runs get past (M,), "... past", and which untouched, "... clean"."""
-    samples: Samples = {}
-    for name, senses in BALLS.items():
-        samples[f"{name} past"], samples[f"{name} clean"] = (
-            one.astype(float) for one in dribble_round(batch, **senses)
-        )
-    return samples
+    return {"past": past.astype(float), "clean": (past & ~touched).astype(float)}
 
 
 H25 = claim(
@@ -136,6 +127,6 @@ H25 = claim(
     reported("uncoloured ball: past without a touch", "plain clean", unit="%"),
     reported("past without a touch, ideal senses", "ideal clean", unit="%"),
     reported("difference by the ball, of 100 runs", lambda s: 100 * mean(s["coloured past"] - s["plain past"])),
-    measure=measure_challenge, batches=4, seconds=2.0,
+    measure=lambda batch: compare(BALLS, partial(dribble_round, batch), FIRST), batches=4, seconds=2.0,
     ingredients=("dribbles_round, which the team leaves off in matches", "the drill's places"),
 )  # fmt: skip

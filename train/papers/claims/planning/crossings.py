@@ -5,14 +5,13 @@ cap on evaluations stem from this. Drives and random crossings were not used for
 """
 
 from collections.abc import Sequence
-from dataclasses import replace
-from functools import lru_cache
+from functools import partial
 from typing import Any
 
 import numpy as np
 
 from soccer_env.baselines.weigel_2001.planner import Travel
-from soccer_env.train.papers.claim import NO_MATCH, STAGED, Arrows, Batch, Curve, Figure, claim
+from soccer_env.train.papers.claim import FIRST, NO_MATCH, STAGED, Arrows, Batch, Curve, Figure, claim, compare, shared
 from soccer_env.train.papers.claims.planning import runs
 from soccer_env.train.papers.claims.planning.runs import (
     CANONICAL,
@@ -26,12 +25,14 @@ from soccer_env.train.papers.claims.planning.runs import (
     SPEED,
     WAY,
 )
+from soccer_env.train.papers.plots import plot_curves, plots
 from soccer_env.train.papers.values import mean, quantile, ratio
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
 TRAFFIC = 100  # scenes of slow traffic in a batch
 CYCLES = (1, 30, 60)  # of the paper's snapshots
 NEAR = 0.25  # [m] between surfaces: nearly a collision
+SHARES = np.linspace(1.0, 99.0, 50)  # [%] of drives, in the figure of gaps
 AWAY = 10  # cycles of driving away from the target
 CLEAR = 0.3  # [m] between surfaces: none
 MANY = 25.0  # [%] of the scenes that are "many situations", assumed
@@ -48,13 +49,14 @@ POINT_TEXT = (
 
 def travel_with_both_planners(scenes: Sequence[Any]) -> Samples:
     """Return `travel_results` of both planners' travels, how often plans change sides, and how far ways stray [m]."""
-    samples: Samples = {}
-    for name, changes in PLANNERS.items():
+
+    def results(changes: dict[str, Any]) -> Samples:
         travels = [runs.travel(scene, **changes) for scene in scenes]
-        samples |= runs.travel_results(travels, name)
-        samples[f"{name} sides"] = np.array([runs.side_changes(one) for one in travels], float)
-        samples[f"{name} strays"] = np.array([distance_from_first_plan(one) for one in travels])
-    return samples
+        sides = np.array([runs.side_changes(one) for one in travels], float)
+        strays = np.array([distance_from_first_plan(one) for one in travels])
+        return {**runs.travel_results(travels), "sides": sides, "strays": strays}
+
+    return compare(PLANNERS, results, FIRST)
 
 
 def canonical_crossings() -> Samples:
@@ -62,14 +64,9 @@ def canonical_crossings() -> Samples:
     return travel_with_both_planners([*CANONICAL.values()])
 
 
+@shared("crossings", rules=STAGED)
 def measure_crossings(batch: Batch) -> Samples:
     """Return the results of drives (M,); of points in random crossings, "point ..."; of the figure's, "figure ..."."""
-    return _measure_cached(replace(batch, claim="crossings", rules=STAGED))
-
-
-@lru_cache(maxsize=128)
-def _measure_cached(batch: Batch) -> Samples:
-    """Compute `measure_crossings` for a batch that serves as the key of a cache: H08 to H11 share it."""
     count = DRIVES * len(KINDS)
     scenes = runs.scenes_of(batch, CROSSING, count)
     point = travel_with_both_planners(scenes)
@@ -123,10 +120,8 @@ def excess_percent(samples: Samples, name: str) -> float:
 def slow_travels(batch: Batch) -> Samples:
     """Return the results of both planners' travels through slow traffic (M,)."""
     scenes = runs.scenes_of(batch, runs.slow_traffic, TRAFFIC)
-    samples: Samples = {"one": np.ones(TRAFFIC)}
-    for name, changes in PLANNERS.items():
-        samples |= runs.travel_results([runs.travel(scene, **changes) for scene in scenes], name)
-    return samples
+    travels = {name: [runs.travel(scene, **changes) for scene in scenes] for name, changes in PLANNERS.items()}
+    return {"one": np.ones(TRAFFIC), **compare(travels, runs.travel_results, FIRST)}
 
 
 def snapshots(samples: Samples) -> Sequence[Figure]:
@@ -151,15 +146,18 @@ def snapshot(one: Travel, cycle: int, title: str) -> Figure:
     return Figure(title, "x [m]", "y [m]", curves, arrows=course)
 
 
-def gap_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the cumulative distributions of the smallest gap and of the time of the drives, for both planners."""
-    shares, names = np.linspace(1.0, 99.0, 50), {"old": "conventional planner", "new": "time-variant planner"}
-    return tuple(
-        Figure(f"{title} past moving robots", label, "drives below [%]",
-               tuple(Curve(text, list(np.percentile(samples[f"{name} {key}"], shares)), list(shares))
-                     for name, text in names.items()), rules=(50.0,), rule="half of them")
-        for key, title, label in (("gap", "Smallest gap", "gap [m]"), ("time", "Time", "time [s]"))
-    )  # fmt: skip
+def quantiles(samples: Samples, name: str) -> tuple[np.ndarray, np.ndarray]:
+    """Return the values below which SHARES of the drives lie, and SHARES."""
+    return np.percentile(samples[name], SHARES), SHARES
+
+
+gap_figure = plots(
+    *(plot_curves(f"{title} past moving robots", label, "drives below [%]",
+                  {text: partial(quantiles, name=f"{planner} {key}")
+                   for planner, text in (("old", "conventional planner"), ("new", "time-variant planner"))},
+                  rules=(50.0,), rule="half of them")
+      for key, title, label in (("gap", "Smallest gap", "gap [m]"), ("time", "Time", "time [s]")))
+)  # fmt: skip
 
 
 H07 = claim(

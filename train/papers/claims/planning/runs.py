@@ -15,7 +15,7 @@ import numpy as np
 from soccer_env.baselines.weigel_2001.planner import Plan, Planner, PlannerSettings, Travel
 from soccer_env.leagues import find_league
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import Batch
+from soccer_env.train.papers.claim import FIRST, Batch, compare, join_batches
 from soccer_env.train.papers.staging import MIDDLE, begin_scene, put, put_ball, stage_team
 from soccer_env.train.papers.verdicts import Samples
 
@@ -158,12 +158,12 @@ def passing_side(travels: Travel, cycle: int) -> int:
     return int(np.sign(across))
 
 
-def travel_results(travels: list[Travel], name: str) -> Samples:
+def travel_results(travels: list[Travel]) -> Samples:
     """Return results of travels (M,): arrival, collision, smallest gap [m], time [s], length [m], turn [degrees] ..."""
     figures = {"arrived": "arrived", "gap": "clearance", "time": "time", "length": "length", "away": "cycles_away"}
-    found = {f"{name} {key}": np.array([getattr(one, part) for one in travels], float) for key, part in figures.items()}
+    found = {key: np.array([getattr(one, part) for one in travels], float) for key, part in figures.items()}
     turn = np.array([np.degrees(one.turn) for one in travels], float)
-    return found | {f"{name} hit": (found[f"{name} gap"] < 0.0).astype(float), f"{name} turn": turn}
+    return found | {"hit": (found["gap"] < 0.0).astype(float), "turn": turn}
 
 
 # Drives past moving robots on real bases
@@ -270,8 +270,5 @@ def results_of(way: np.ndarray, dt: float) -> Samples:
 
 def drive_with_both_planners(batch: Batch) -> Samples:
     """Return the results of both planners' drives, "old ..." and "new ...", and the number in KINDS of each scene."""
-    samples: Samples = {"kind": np.repeat(np.arange(len(KINDS)), DRIVES)}
-    for name, settings in TEAMS.items():
-        found = [drive(batch, kind, settings) for kind in KINDS]
-        samples |= {f"{name} {key}": np.concatenate([one[key] for one in found]) for key in found[0]}
-    return samples
+    drives = compare(TEAMS, lambda settings: join_batches([drive(batch, kind, settings) for kind in KINDS]), FIRST)
+    return {"kind": np.repeat(np.arange(len(KINDS)), DRIVES), **drives}

@@ -13,7 +13,7 @@ from soccer_env.train.papers.claim import Ablation, Batch, claim
 from soccer_env.train.papers.claims.players import watching
 from soccer_env.train.papers.claims.players.jersey import JERSEYS
 from soccer_env.train.papers.plots import each, plot, plots
-from soccer_env.train.papers.staging import begin_scene, play, still_actions, wrap_angle
+from soccer_env.train.papers.staging import begin_scene, still_actions, watch, wrap_angle
 from soccer_env.train.papers.true_sight import turn_head
 from soccer_env.train.papers.values import percent
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
@@ -73,10 +73,9 @@ def count_errors(batch: Batch, factor: float, jersey: float) -> dict[str, np.nda
     actions = still_actions(match)
     turn_head(match, actions, 0, 0.0, TILT)
     total = np.zeros((4, MATCHES))
-    for step in play(match, SETTLE + SECONDS, actions):
-        if step >= SETTLE * match.league.control_rate:
-            visible, filled = seen_and_believed(match)
-            total += np.stack([*ghosts_and_misses(visible, filled), filled.sum(axis=1), visible.sum(axis=1)])
+    for _ in watch(match, SECONDS, actions, SETTLE):
+        visible, filled = seen_and_believed(match)
+        total += np.stack([*ghosts_and_misses(visible, filled), filled.sum(axis=1), visible.sum(axis=1)])
     match.close()
     return dict(zip(("ghosts", "missed", "filled", "visible"), total, strict=True))
 
@@ -146,9 +145,7 @@ def count_kept_opponents(batch: Batch, alike: bool = False) -> Samples:
     turn_head(match, actions, 0, 0.0, TILT)
     kept, merged = np.zeros((2, match.count))
     true = np.stack([watching.distance_to_robot(match, r) for r in FOES], axis=1)
-    for step in play(match, SETTLE + SECONDS, actions):
-        if step < SETTLE * match.league.control_rate:
-            continue
+    for _ in watch(match, SECONDS, actions, SETTLE):
         visible, filled = seen_and_believed(match)
         one = visible.all(axis=1) & (filled.sum(axis=1) == 1)
         merged += one

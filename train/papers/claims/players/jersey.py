@@ -13,7 +13,7 @@ import numpy as np
 from soccer_env.match import Match
 from soccer_env.train.papers.claim import Ablation, Batch, claim
 from soccer_env.train.papers.claims.players import watching
-from soccer_env.train.papers.plots import Drawing, columns, plot, plot_bins, plots
+from soccer_env.train.papers.plots import Drawing, columns, part, plot, plot_bins, plots
 from soccer_env.train.papers.staging import begin_scene, put, record, still_actions
 from soccer_env.train.papers.values import bin_masks, mean, median, ratio, rms, row_means, subtract_row_mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
@@ -113,14 +113,10 @@ def bias(samples: Samples, table: str, sectors: Sequence[int]) -> np.ndarray:
     return np.array([100 * mean(errors[:, j]) for j in range(len(JERSEYS))])
 
 
-def of_own_size(samples: Samples, name: str) -> np.ndarray:
-    """Return a quantity (RUNS, SECTORS) of players with stickers of their own size."""
-    return samples[name][:, JERSEYS.index(1.0)]
-
-
 def plot_over_views(labels: dict[str, str], title: str, unit: str, scale: float) -> Drawing:
     """Return a drawing of quantities (`labels` by name) against the view, for stickers of their own size."""
-    lines = {label: columns(partial(of_own_size, name=name), scale=scale) for name, label in labels.items()}
+    own = slice(None), JERSEYS.index(1.0)
+    lines = {label: columns(part(name, *own), scale=scale) for name, label in labels.items()}
     return plot(title, "view [degrees from head-on]", unit, [360.0 / SECTORS * i for i in range(SECTORS)], lines)
 
 
@@ -255,7 +251,7 @@ S39 = claim(
     figures=plots(plot_bins("Scatter of a player's range", "distance [cm]", "deviation [%]",
                             {"largest blob": "largest", "all blobs": "combined"}, "distance", BINS, scatter, 1.0),
                   plot_bins("Frames without a head sticker", "distance [cm]", "share of frames [%]",
-                            {f"stickers {jersey:g} times as large": partial(lambda s, j: s["head"][:, j], j=j)
+                            {f"stickers {jersey:g} times as large": part("head", slice(None), j)
                              for j, jersey in enumerate(JERSEYS)}, "distance", BINS, lambda head: 1.0 - mean(head))),
     seconds=2.0,
     ingredients=("sensors.sticker_*, all assumed", "sensors.sticker_miss", "sensors.least_area, two pixels"),

@@ -5,7 +5,6 @@ errors of S34 are the paper's own: for one frame every blob counts as a player (
 as one player (the farther one is missed). The comparison has the same frames without an error.
 """
 
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -15,7 +14,7 @@ from soccer_env.match.staging import memory_settings_of
 from soccer_env.train.papers.claim import Batch, claim
 from soccer_env.train.papers.claims.players import watching
 from soccer_env.train.papers.claims.players.grouping import TILT, ghosts_and_misses, put_two_in_view, seen_and_believed
-from soccer_env.train.papers.plots import Drawing, columns, plot
+from soccer_env.train.papers.plots import Drawing, columns, part, plot
 from soccer_env.train.papers.staging import begin_scene, play, still_actions
 from soccer_env.train.papers.true_sight import turn_head
 from soccer_env.train.papers.values import mean, median, rms, subtract_row_mean
@@ -231,11 +230,6 @@ def compare_errors(batch: Batch) -> Samples:
     return samples
 
 
-def course_of(samples: Samples, event: str) -> np.ndarray:
-    """Return the error that an event adds (M, T) [m], every few frames."""
-    return samples[f"course {event}"][:, ::POINT_EVERY]
-
-
 S34 = claim(
     "S34", "4.1.1", "A ghost, which may displace a real player, is worse than a miss.",
     f"{WATCHERS} robots a batch have looked at three standing opponents, two of which are in view; for one frame "
@@ -252,7 +246,8 @@ S34 = claim(
     measure=compare_errors,
     figures=plot("What one frame's error does to the memory", "time since [s]", "added error [cm]",
                  np.linspace(0.0, AFTER, round(AFTER * RATE) + 1)[::POINT_EVERY],
-                 {f"a {event}": columns(partial(course_of, event=event)) for event in ("ghost", "miss")}),
+                 {f"a {event}": columns(part(f"course {event}", ..., slice(None, None, POINT_EVERY)))
+                  for event in ("ghost", "miss")}),
     seconds=5.0,
     ingredients=("three slots for three opponents", "memory.distance_power, angle_power"),
 )  # fmt: skip

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import Batch, claim
+from soccer_env.train.papers.claim import Batch, claim, compare
 from soccer_env.train.papers.claims.players import watching
 from soccer_env.train.papers.plots import each, plot
 from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, put, still_actions, wrap_angle
@@ -88,9 +88,7 @@ def nearest_error(match: Match, mates: bool, rows: list[int]) -> np.ndarray:
 
 def compare_systems(batch: Batch) -> Samples:
     """Return the tracked players and range errors of each system in VARIANTS, in equal scenes."""
-    samples: Samples = {}
-    for name, memory in VARIANTS.items():
-        samples |= {f"{part} {name}": values for part, values in track_all(batch, **memory).items()}
+    samples = compare(VARIANTS, lambda memory: track_all(batch, **memory))
     both = np.isfinite(samples["error new"]) & np.isfinite(samples["error old"])
     for name in ("new", "old"):  # the frames that both see
         samples[f"error {name}"] = np.where(both, samples[f"error {name}"], np.nan)

@@ -1,8 +1,6 @@
 """The fate of robots that were held in play: the future of sampled moments, with the recovery and without."""
 
 from collections.abc import Callable
-from dataclasses import replace
-from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -10,7 +8,7 @@ import numpy as np
 from soccer_env.baselines.sacks_2001.memory import BACK, ROTATE, SIDESTEP
 from soccer_env.match import Match
 from soccer_env.match.staging import memory_of
-from soccer_env.train.papers.claim import Batch
+from soccer_env.train.papers.claim import Batch, shared
 from soccer_env.train.papers.claims.stuck import sampled
 from soccer_env.train.papers.claims.stuck.runs import begin_recovery
 from soccer_env.train.papers.claims.stuck.sampled import HELD, MATCHES, MOST
@@ -94,6 +92,7 @@ def misalignment(match: Match, robots: np.ndarray) -> np.ndarray:
     return np.asarray(np.degrees(np.abs(wrap_angle(to_ball - to_goal))))
 
 
+@shared("moments", most=1024)
 def follow_moments(
     batch: Batch, *, begun: bool = False, kind: int = HELD, random_sides: bool = False, **settings: Any
 ) -> Samples:
@@ -102,14 +101,6 @@ def follow_moments(
     NaN: no such moment, or no event. `kind`: HELD or TRIPPED; `begun`: robots begin to recover at once, as if they had
     noticed; `random_sides`: they step aside to a random side.
     """
-    return _follow_cached(replace(batch, claim="moments"), begun, kind, random_sides, tuple(sorted(settings.items())))
-
-
-@lru_cache(maxsize=1024)
-def _follow_cached(
-    batch: Batch, begun: bool, kind: int, random_sides: bool, settings: tuple[tuple[str, Any], ...]
-) -> Samples:
-    """Compute `follow_moments` from hashable arguments, which the cache needs."""
     moments = sampled.sample_moments(batch)
     before = np.tril(moments.match[:, None] == moments.match[None, :], -1)
     place = before.sum(axis=1)  # of each moment within its match
@@ -122,7 +113,7 @@ def _follow_cached(
         if len(rows) == 0:
             continue
         fate = run_branch(
-            sampled.branch(batch, moments, rows, team, dict(settings)), moments.robot[rows], batch, begun, random_sides
+            sampled.branch(batch, moments, rows, team, settings), moments.robot[rows], batch, begun, random_sides
         )
         at = (moments.match[rows], place[rows])
         for name, values in fate.items():

@@ -1,13 +1,13 @@
 """How a robot notices that it is stuck: the ball does not come nearer; false alarms.  [Sacks 2001, 3, 3.3]"""
 
-from collections.abc import Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
 
 from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, SEARCH
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import PLAYED, PLAYED_AND_STAGED, Batch, Curve, Figure, claim
+from soccer_env.train.papers.claim import PLAYED, PLAYED_AND_STAGED, Batch, claim
 from soccer_env.train.papers.claims.stuck import sampled
 from soccer_env.train.papers.claims.stuck.runs import immobilise_robots, is_recovering, set_up_seekers, set_up_walk
 from soccer_env.train.papers.claims.stuck.sampled import MATCHES, SECONDS
@@ -78,14 +78,13 @@ def roc_area(samples: Samples) -> float:
     return float((ranks[len(free) :].sum() - count * (count + 1) / 2) / (count * len(free)))
 
 
-def velocity_figure(samples: Samples) -> Sequence[Figure]:
-    """Plot the distributions of the mean radial velocity of free robots and of held robots."""
-    edges = np.linspace(-0.2, 0.1, 25)
-    curves = []
-    for name, title in (("free", "walks freely"), ("stuck", "held")):
-        counts, _ = np.histogram(known(samples[name]), edges)
-        curves.append(Curve(title, middles_of(edges, 100), (100.0 * counts / max(len(samples[name]), 1)).tolist()))
-    return (Figure(f"Radial velocity over {WINDOW:g} s", "mean radial velocity [cm/s]", "robots [%]", tuple(curves)),)
+EDGES = np.linspace(-0.2, 0.1, 25)  # [m/s] of the figure's bins
+
+
+def velocity_shares(samples: Samples, name: str) -> list[float]:
+    """Return the mean radial velocities in each bin of EDGES, over the number of matches [%]."""
+    counts, _ = np.histogram(known(samples[name]), EDGES)
+    return list(100.0 * counts / max(len(samples[name]), 1))
 
 
 S04 = claim(
@@ -96,7 +95,10 @@ S04 = claim(
     measured("area under the ROC curve of the mean velocity", roc_area, at_least=0.9),
     reported("median of free robots", "free", of=median, unit="cm/s"),
     reported("median of held robots", "stuck", of=median, unit="cm/s"),
-    rules=PLAYED, measure=velocity_windows, figures=velocity_figure, least=4, batches=12, seconds=2.0,
+    rules=PLAYED, measure=velocity_windows, least=4, batches=12, seconds=2.0,
+    figures=plot(f"Radial velocity over {WINDOW:g} s", "mean radial velocity [cm/s]", "robots [%]",
+                 middles_of(EDGES, 100), {title: partial(velocity_shares, name=name)
+                                          for name, title in (("free", "walks freely"), ("stuck", "held"))}),
     ingredients=("sensors.dither", "memory.filter_length"),
 )  # fmt: skip
 
@@ -149,8 +151,7 @@ S25 = claim(
     f"rolls at {100 * ROLLS[0]:.0f} to {100 * ROLLS[1]:.0f} cm/s; each recovery there is a false alarm.",
     measured("least rise of the delay from threshold to threshold", lambda s: least_rise(delays(s)),
              unit="s", above=0.0),
-    measured("least fall of the false alarms in 100 approaches",
-             lambda s: least_fall(alarms(s)), at_least=0.0),
+    measured("least fall of the false alarms in 100 approaches", lambda s: least_fall(alarms(s)), at_least=0.0),
     measured("false alarms in 100 approaches: least threshold less greatest",
              lambda s: alarms(s)[0] - alarms(s)[-1], above=0.0),
     reported("least threshold: delay", lambda s: delays(s)[0], unit="s"),

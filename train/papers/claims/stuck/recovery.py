@@ -13,6 +13,7 @@ from soccer_env.train.papers.values import mean, percent
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
 BACK_STEPS = (2, 5, 10, 15)  # S26
+BACK_PACE = 0.10 / 0.12  # [1] of the top speeds back and ahead: S26
 AGAIN = 5.0  # [s] "immediately", assumed: S26
 CLEAR = 10.0  # [s] after a recovery without being held again that count as clear, assumed: S27
 FREE = 10.0  # [s] for a robot to get free: S29
@@ -43,9 +44,6 @@ def measure_held_again(batch: Batch, way_back: bool = False) -> Samples:
         after = fate["again"] - fate["over"] - (0.5 * steps * BACK_PACE if way_back else 0.0)
         columns.append(np.where(np.isfinite(fate["over"]), (after <= AGAIN).astype(float), np.nan))
     return {"again": np.stack(columns, axis=-1)}
-
-
-BACK_PACE = 0.10 / 0.12  # [1] of the top speeds back and ahead
 
 
 held_again = columns("again")  # [%] for each number of steps back

@@ -6,8 +6,7 @@ memories are equal in all branches, which pairs them. In branches the referee wh
 apart; running penalties end in time. A robot that is sent off is neither held nor free.
 """
 
-from dataclasses import dataclass, fields, replace
-from functools import lru_cache
+from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
@@ -18,7 +17,7 @@ from soccer_env.match import Match
 from soccer_env.match.saving import parts
 from soccer_env.match.staging import PATIENT, memory_of
 from soccer_env.teams import make_team
-from soccer_env.train.papers.claim import Batch
+from soccer_env.train.papers.claim import Batch, shared
 from soccer_env.train.papers.staging import kick_off, play
 from soccer_env.types import HOME, Phase
 
@@ -139,17 +138,12 @@ def counters_have_tripped(match: Match) -> np.ndarray:
     return np.asarray((behaviours(match) == APPROACH) & (memory["stuck"] >= team.stuck_count) & both)
 
 
+@shared("moments", most=64)
 def sample_moments(batch: Batch) -> Moments:
     """Play a batch of matches, and copy them where a robot is held and where its counters trip.
 
     All claims share these moments, which depend only on the batch's seed, index and pose.
     """
-    return _sample_cached(replace(batch, claim="moments"))
-
-
-@lru_cache(maxsize=64)
-def _sample_cached(batch: Batch) -> Moments:
-    """Compute `sample_moments` for a batch that serves as the key of a cache."""
     match = kick_off(batch, matches=MATCHES, team=BASE)
     watch = MotionWindow(match)
     since = np.full((2, *match.robots.shape), np.inf)

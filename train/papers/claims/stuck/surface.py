@@ -4,17 +4,17 @@ Each sentence is judged at the setting that suits it best. That setting is chose
 the other, and the other way round: no run is judged at a setting that it helped to choose.
 """
 
-from collections.abc import Sequence
-from dataclasses import replace
-from functools import lru_cache, partial
+from collections.abc import Callable, Sequence
+from functools import partial
 
 import numpy as np
 
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.train.evaluate.report import table
-from soccer_env.train.papers.claim import PLAYED_AND_STAGED, STAGED, Batch, Curve, Figure, claim
+from soccer_env.train.papers.claim import PLAYED_AND_STAGED, STAGED, Batch, claim, shared
 from soccer_env.train.papers.claims.stuck.branches import count_hits, follow_moments
 from soccer_env.train.papers.claims.stuck.detection import FARTHEST, NEAREST, TRIES, WALK, approach, latencies
+from soccer_env.train.papers.plots import plot, plots
 from soccer_env.train.papers.values import percent
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
@@ -36,17 +36,12 @@ SETTINGS_TEXT = (
 )
 
 
+@shared("stuck settings", rules=STAGED)
 def measure_settings(batch: Batch) -> Samples:
     """Return counts (M, thresholds, times) of held robots that notice in time, and of false alarms with two counters.
 
     "one": false alarms with one counter, for which the time near the ball does not count; "half" (M,): 0 or 1.
     """
-    return _measure_cached(replace(batch, claim="stuck settings", rules=STAGED))
-
-
-@lru_cache(maxsize=256)
-def _measure_cached(batch: Batch) -> Samples:
-    """Compute `measure_settings` for a batch that serves as the key of a cache."""
     shape = (TRIES, len(COUNTS), len(TIMES))
     found = {name: np.zeros(shape) for name in COUNTED}
     found["approaches"] += 1.0
@@ -130,20 +125,18 @@ def surface_table(samples: Samples) -> str:
     return table(("setting", *columns, "sentences that hold"), rows)
 
 
-def surface_figures(samples: Samples) -> Sequence[Figure]:
-    """Plot the shares that notice in time, and the false alarms, against the time near the ball."""
-    soon, one, two = (shares(samples, *names) for names in (("near soon", "near"), ("one", "approaches"),
-                                                            ("two", "approaches")))  # fmt: skip
-    noticed = tuple(Curve(f"{count} readings", TIMES, list(soon[i])) for i, count in enumerate(COUNTS))
-    alarms = [
-        Curve(f"{count} readings, {word}", TIMES, list(values[i]))
-        for i, count in enumerate(COUNTS) for word, values in (("one counter", one), ("two", two))
-    ]  # fmt: skip
-    near = "time near the ball [s]"
-    return (
-        Figure("Held robots that notice within 5 s", near, "robots [%]", noticed, rules=(NOTICED,)),
-        Figure("False alarms", near, "approaches [%]", tuple(alarms), rules=(FALSE,)),
-    )
+def by_time(hits: str, trials: str, i: int) -> Callable[[Samples], Sequence[float]]:
+    """Return a function of samples that gives a share [%] at each time near the ball, with the threshold COUNTS[i]."""
+    return lambda samples: list(shares(samples, hits, trials)[i])
+
+
+surface_figures = plots(
+    plot("Held robots that notice within 5 s", "time near the ball [s]", "robots [%]", TIMES,
+         {f"{count} readings": by_time("near soon", "near", i) for i, count in enumerate(COUNTS)}, rules=(NOTICED,)),
+    plot("False alarms", "time near the ball [s]", "approaches [%]", TIMES,
+         {f"{count} readings, {word}": by_time(name, "approaches", i) for i, count in enumerate(COUNTS)
+          for name, word in (("one", "one counter"), ("two", "two"))}, rules=(FALSE,)),
+)  # fmt: skip
 
 
 def measure_with_play(batch: Batch) -> Samples:

@@ -1,0 +1,55 @@
+"""Whether stored results still hold: the question of each claim by a hash, and its first batch measured again.
+
+Each row of a claims.json carries a hash of the claim's question, a hash of the samples of its first batch, and the
+world, versions and machine in which they were measured. Rows of another world are not replayed: the pages name it.
+`make tables-check` replays all rows, a test those of a short batch.
+"""
+
+import hashlib
+import json
+import re
+from collections.abc import Mapping
+from math import inf
+from typing import Any
+
+import numpy as np
+
+from soccer_env.train.papers.claim import Batch, Claim
+from soccer_env.train.papers.verdicts import Samples
+from soccer_env.train.provenance import DIGITS, digest, play_facts
+
+NUMBER = re.compile(r"\d+(?:\.\d+)?")
+
+
+def question_hash(claim: Claim) -> str:
+    """Return a hash of a claim's settings: criteria that decide, rules, batches, own pose, numbers of its method."""
+    criteria = [(one.text, one.unit, one.asked) for one in claim.criteria if one.decides]
+    numbers = NUMBER.findall(claim.method)
+    return digest(json.dumps([criteria, numbers, claim.rules, claim.batches, claim.least, claim.pose]))
+
+
+def samples_hash(samples: Samples) -> str:
+    """Return a hash of samples to the seven digits of a single float, which sums in another order leave alone."""
+    parts = hashlib.sha256()
+    for name, values in samples.items():
+        parts.update(f"{name} {values.shape}".encode() + np.asarray(values, np.float32).tobytes())
+    return parts.hexdigest()[:DIGITS]
+
+
+def changed_rows(rows: Mapping[str, Mapping[str, Any]], known: Mapping[str, Claim], longest: float = inf) -> list[str]:
+    """Return a sentence for each stored row whose claim asks another question, or whose first batch has other samples.
+
+    Only batches of at most `longest` seconds are measured, and only rows of this world, machine and versions.
+    """
+    changed, here = [], play_facts()
+    for name, row in rows.items():
+        claim, about = known[name], row["about"]
+        if about.get("world") != here["world"]:
+            continue
+        if row["asks"] != question_hash(claim):
+            changed.append(f"{name} asks another question than its stored row answers")
+        elif row["sample"] and claim.seconds <= longest and all(about.get(fact) == here[fact] for fact in here):
+            batch = Batch(name, row["seeds"][0], 0, 1, row["pose"], tuple(row["rules"]))
+            if samples_hash(claim.measure(batch)) != row["sample"]:
+                changed.append(f"{name}: its first batch has other samples than when its stored row was measured")
+    return changed
