@@ -107,6 +107,7 @@ PUBLIC = (
         (
             *("replay.replay_file.Recorder", "replay.replay_file.Replay", "thoughts.thoughts.Thoughts"),
             *("render.frame.Picture", "render.overlays.onlooker.Onlooker", "data_out"),
+            *("data_out.belief_errors.errors_of", "data_out.belief_errors.BeliefErrors"),
         ),
         "from soccer_env.replay import Recorder, Replay, Thoughts\nfrom soccer_env.render import Picture, save_png",
     ),
