@@ -78,9 +78,8 @@ class ExportSettings(FilmSettings, CommandSettings):
     .xml         tracking data of the German league (DFL, Sportec), which kloppy reads
     .png         one picture of the match
 
-    With --maps, .png, .svg and .pdf show heat maps, pass networks and shot maps, also from a result.json. With
-    --beliefs, .csv and .parquet come with NAME_beliefs, what every robot believed beside the truth; .png and .svg show
-    the errors against range and age.
+    With --maps, .png, .svg and .pdf show heat maps, pass networks and shot maps, also from a result.json.
+    With --beliefs, tables have NAME_beliefs as well, and .png and .svg show errors against range and age.
     """
 
     file: tyro.conf.Positional[Path]
@@ -91,7 +90,7 @@ class ExportSettings(FilmSettings, CommandSettings):
     maps: bool = False
     """Draw heat maps, pass networks and shot maps: .png, .svg or .pdf."""
     beliefs: bool = False
-    """Write what robots believed beside the truth: a table (.csv, .parquet), or a picture of errors (.png, .svg)."""
+    """Write what robots believed, beside the truth: tables, .png or .svg."""
     anew: bool = False
     """Overwrite an existing file."""
 

@@ -49,7 +49,7 @@ def differences(result: TournamentResult) -> dict[tuple[str, str], tuple[Estimat
         first, second, (goals, points) = names[pairing.first], names[pairing.second], estimates(pairing)
         found[first, second] = goals, points
         found[second, first] = (
-            Estimate(-goals.mean, -goals.high, -goals.low),
+            Estimate(0.0 - goals.mean, 0.0 - goals.high, 0.0 - goals.low),  # without -0.00
             Estimate(1.0 - points.mean, 1.0 - points.high, 1.0 - points.low),
         )
     return found

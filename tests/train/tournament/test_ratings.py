@@ -35,7 +35,7 @@ def test_three_wins_of_four_are_the_elo_difference_of_its_definition() -> None:
 
 
 def test_known_strengths_are_found_from_many_matches() -> None:
-    ratings = rate_teams(5, played(STRENGTHS, 4000, np.random.default_rng(1)))
+    ratings = rate_teams(5, played(STRENGTHS, 1500, np.random.default_rng(1)))
     assert [one.mean - 1500.0 for one in ratings.elo] == pytest.approx((LOGIT * STRENGTHS).tolist(), abs=10.0)
     assert np.argsort([-one.mean for one in ratings.openskill]).tolist() == [0, 1, 2, 3, 4]
     assert ratings.above[np.triu_indices(5, 1)].min() > 0.99
