@@ -50,6 +50,7 @@ from soccer_env.guards.names import FoldersBeside, lazy_names
 
 if TYPE_CHECKING:
     from soccer_env import soccer_v0
+    from soccer_env.data_out.belief_errors import errors_of
     from soccer_env.leagues import League
     from soccer_env.match import Match
     from soccer_env.match.truth_state import WholeTruth
@@ -60,12 +61,13 @@ if TYPE_CHECKING:
 
 __version__ = "0.1.0"
 __all__ = [
-    "League", "Lineup", "Match", "OwnTerm", "Rewards", "Scene", "Team", "WholeTruth", "make_team", "soccer_v0",
-    "team_of_function",
+    "League", "Lineup", "Match", "OwnTerm", "Rewards", "Scene", "Team", "WholeTruth", "errors_of", "make_team",
+    "soccer_v0", "team_of_function",
 ]  # fmt: skip
 _MODULES = {
     "League": "leagues", "Lineup": "teams", "Match": "match", "OwnTerm": "rewards", "Rewards": "rewards",
-    "Scene": "scenes", "Team": "teams", "WholeTruth": "match.truth_state", "make_team": "teams",
+    "Scene": "scenes", "Team": "teams", "WholeTruth": "match.truth_state",
+    "errors_of": "data_out.belief_errors", "make_team": "teams",
     "soccer_v0": "soccer_v0", "team_of_function": "teams.function_teams",
 }  # fmt: skip
 __getattr__, __dir__ = lazy_names(__name__, {name: f"{__name__}.{module}" for name, module in _MODULES.items()})

@@ -49,6 +49,20 @@ class Progress:
             else:
                 self._say()
 
+    def skip(self, amount: float) -> None:
+        """Take work off the total that an earlier run has done."""
+        with self._lock:
+            self._total -= amount
+            if self._bar is not None:
+                self._bar.update(self._task, total=self._total)
+
+    def rename(self, title: str) -> None:
+        """Change the words before the bar."""
+        with self._lock:
+            self._title = title
+            if self._bar is not None:
+                self._bar.update(self._task, description=title)
+
     def note(self, text: str) -> None:
         """Show a few words beside the bar."""
         with self._lock:

@@ -38,7 +38,8 @@ class RunKind:
     marks: tuple[str, ...]  # conditions that all runs of this kind have, and no other kind
     files: tuple[str, ...]  # beside settings.json, the lines of finished parts first
     more: Callable[[dict[str, Any]], list[str]] = lambda conditions: []  # patterns of further ones, by its conditions
-    grows: str = ""  # a condition that may be larger when a run is resumed: its parts follow from their seeds alone
+    grows: tuple[str, ...] = ()  # conditions, numbers or lists, that may be larger when a run is resumed: its parts
+    # follow from their seeds alone
     alone: bool = False  # one process at a time; else two may share the work, as each part follows from its seed alone
 
 
@@ -96,7 +97,7 @@ class ResultsFolder:
             check_same(path, self.kind.what, before, mine)
             sizes += [size for size in before["about"].get(GROWN) or () if isinstance(size, int)]
             asked = mine["conditions"]
-            self._earlier = {settings_hash({**asked, self.kind.grows: size}, self.made_with) for size in sizes}
+            self._earlier = {settings_hash({**asked, self.kind.grows[0]: size}, self.made_with) for size in sizes}
             if GROWN not in mine["about"]:
                 self.about = before["about"]
                 return
@@ -105,14 +106,15 @@ class ResultsFolder:
         write_atomically(path / SETTINGS, json.dumps(mine, indent=2) + "\n")
 
     def _accept_smaller_run(self, before: dict[str, Any], mine: dict[str, Any]) -> list[Any]:
-        """Accept a folder whose run is smaller, if runs of this kind may grow: return [its size], else []."""
-        name = self.kind.grows
-        was, now = before["conditions"].get(name), mine["conditions"].get(name)
-        if not isinstance(was, int) or not isinstance(now, int) or was >= now:
-            return []
-        before["conditions"][name] = now
-        mine["about"][GROWN] = []
-        return [was]
+        """Accept a folder whose run is smaller, if runs of this kind may grow: return [its sizes], else []."""
+        sizes = []
+        for name in self.kind.grows:
+            was, now = before["conditions"].get(name), mine["conditions"].get(name)
+            if is_smaller(was, now):
+                before["conditions"][name] = now
+                mine["about"][GROWN] = []
+                sizes.append(was)
+        return sizes
 
     def results(self, name: str, kind: type[T], key: str) -> dict[Any, T]:
         """Read the finished parts from a file of lines; return objects of the dataclass `kind`, by its field `key`.
@@ -144,6 +146,13 @@ class ResultsFolder:
         if self.path is not None:
             (self.path / name).parent.mkdir(exist_ok=True)
             write_atomically(self.path / name, content)
+
+
+def is_smaller(was: Any, now: Any) -> bool:
+    """Tell whether a number is smaller than another one, or a list the beginning of a longer one."""
+    if isinstance(was, list) and isinstance(now, list):
+        return len(was) < len(now) and was == now[: len(was)]
+    return isinstance(was, int) and isinstance(now, int) and was < now
 
 
 def check_kinds(path: Path, record: dict[str, Any], kind: type) -> None:

@@ -12,9 +12,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from soccer_env.data_out.belief_errors import BeliefErrors, errors_in
 from soccer_env.data_out.events import Event, Listener
 from soccer_env.leagues.league import League
 from soccer_env.match import Match
+from soccer_env.thoughts.thoughts import Notes
 from soccer_env.types import AWAY, HOME, Phase
 
 if TYPE_CHECKING:
@@ -51,6 +53,8 @@ class MatchRecording:
     match: dict[str, np.ndarray]  # (T,) of MATCH_FIELDS
     score: np.ndarray  # (T, 2)
     events: list[Event]
+    noted: np.ndarray  # (N,) frames whose beliefs are known, a few a second
+    beliefs: BeliefErrors | None = None  # of these frames, N in place of M; if asked for
 
     def __len__(self) -> int:
         return len(self.ball)
@@ -79,12 +83,15 @@ class MatchRecording:
 
 
 def collect_match(
-    replay: RecordedMatch, name: str = "match", note: Callable[[int], None] | None = None
+    replay: RecordedMatch, name: str = "match", note: Callable[[int], None] | None = None, beliefs: bool = False
 ) -> MatchRecording:
     """Play the first match of a replay and collect its data; `note` is called after each control step.
 
-    ValueError names the first step that differs from the recording.
+    `beliefs`: take them from the replay's notes, too. ValueError names the first step that differs from the recording.
     """
+    notes = replay.notes() if beliefs else None
+    if beliefs and notes is None:
+        raise ValueError(f"{name} holds no beliefs: a Recorder keeps them with thoughts=Thoughts(match)")
     playing = replay.play()
     match = next(playing)
     teams, players = replay.teams, players_of(match)
@@ -99,14 +106,33 @@ def collect_match(
     robots_by_field = {field: robots[field] for field in ROBOT_FIELDS}
     match_by_field = {field: matches[field] for field in MATCH_FIELDS}
     events = listener.sorted_events()
-    return MatchRecording(name, match.league, teams, players, robots_by_field, balls, match_by_field, scores, events)
+    noted, believed = (np.zeros(0, np.int64), None) if notes is None else noted_beliefs(notes, robots, balls, matches)
+    return MatchRecording(
+        name, match.league, teams, players, robots_by_field, balls, match_by_field, scores, events, noted, believed
+    )
+
+
+def noted_beliefs(
+    notes: Notes, robots: np.ndarray, balls: np.ndarray, matches: np.ndarray
+) -> tuple[np.ndarray, BeliefErrors]:
+    """Return the frames of notes, and the beliefs noted there beside the truth (T, R), (T, 4), (T,)."""
+    noted = notes.steps
+    if not ((noted >= 0) & (noted < len(robots))).all():
+        raise ValueError("the thoughts of this replay are damaged: they are of other steps than it has")
+    ball = {"x": balls[noted, 0], "y": balls[noted, 1]}
+    return noted, errors_in(notes, robots[noted], ball, matches["home_direction"][noted])
 
 
 def copy_records(match: Match) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
     """Return copies of the present robots (R,), ball (4,), match and score (2,)."""
     ball, record = match.balls[0], match.matches[0]
     state = np.array([ball["x"], ball["y"], ball["vx"], ball["vy"]])
-    return match.robots[list(ROBOT_FIELDS)][0].copy(), state, record[list(MATCH_FIELDS)].copy(), record["score"].copy()
+    return (
+        match.robots[[*ROBOT_FIELDS, "team"]][0].copy(),
+        state,
+        record[list(MATCH_FIELDS)].copy(),
+        record["score"].copy(),
+    )
 
 
 def players_of(match: Match) -> tuple[Player, ...]:

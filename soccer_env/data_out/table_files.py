@@ -1,4 +1,4 @@
-"""Tables as files: CSV, or Parquet by pyarrow (extra `data`). NAME.csv holds tracking, NAME_events.csv holds events.
+"""Tables as files: CSV, or Parquet by pyarrow (extra `data`): NAME.csv (tracking), NAME_events.csv, NAME_beliefs.csv.
 
 Matches are written one after another, so that many matches take no more memory than the longest. Files appear whole or
 not at all.
@@ -18,9 +18,10 @@ from soccer_env.guards.whole_files import atomic_file
 HOW = 'pip install "soccer_env[data]"'
 
 
-def table_paths(path: Path) -> dict[str, Path]:
-    """Return the files of both tables by name."""
-    return {"tracking": path, "events": path.with_name(f"{path.stem}_events{path.suffix}")}
+def table_paths(path: Path, beliefs: bool = False) -> dict[str, Path]:
+    """Return the files of the tables by name."""
+    more = ("events", "beliefs")[: 1 + beliefs]
+    return {"tracking": path} | {name: path.with_name(f"{path.stem}_{name}{path.suffix}") for name in more}
 
 
 def require_writer(kind: str) -> None:
@@ -32,13 +33,13 @@ def require_writer(kind: str) -> None:
             raise ImportError(f"Parquet needs pyarrow: {HOW}") from error
 
 
-def write_tables(matches: Iterable[dict[str, Table]], path: Path) -> dict[str, Path]:
+def write_tables(matches: Iterable[dict[str, Table]], path: Path, beliefs: bool = False) -> dict[str, Path]:
     """Write the tables of matches as CSV or Parquet, by the path's ending; return the path of each table.
 
     ImportError if pyarrow is missing. Existing files are replaced after all matches are written.
     """
     kind: type[CsvFile] | type[ParquetFile] = CsvFile if path.suffix.lower() == ".csv" else ParquetFile
-    paths = table_paths(path)
+    paths = table_paths(path, beliefs)
     with ExitStack() as replacing, ExitStack() as closing:  # all are closed before the first is replaced
         files: dict[str, CsvFile | ParquetFile] = {}
         for name, target in paths.items():

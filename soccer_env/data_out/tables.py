@@ -9,11 +9,12 @@ from typing import Any
 
 import numpy as np
 
+from soccer_env.data_out.belief_errors import BeliefErrors
 from soccer_env.data_out.collect import PHASES, SIDES, MatchRecording
 from soccer_env.data_out.events import NOBODY
 
 Table = dict[str, np.ndarray]  # a column (rows,) by name
-BALL = "ball"
+OWN, BALL = "own", "ball"
 PLACES = ("x", "y", "end_x", "end_y")  # of an event
 
 
@@ -68,7 +69,20 @@ EVENTS = (
     Column("home_score", "goals of home after the frame", "whole"),
     Column("away_score", "goals of away after the frame", "whole"),
 )
-TABLES = {"tracking": TRACKING, "events": EVENTS}
+BELIEFS = (
+    *WHEN,
+    Column("robot", "who believes it: home_0, away_2"),
+    Column("object", "own (its place), ball, teammate or opponent; of players a row for each that it believes in"),
+    Column("believed_x", "own: in its team's frame, own goal behind; else ahead of the robot", "number", "m"),
+    Column("believed_y", "own: in its team's frame; else to the left of the robot; missing if unknown", "number", "m"),
+    Column("true_x", "the truth beside believed_x; of a player the nearest one of the team", "number", "m"),
+    Column("true_y", "the truth beside believed_y", "number", "m"),
+    Column("error", "distance between both", "number", "m"),
+    Column("range", "true distance from the robot; 0 for its own place", "number", "m"),
+    Column("age", "time since it was seen; missing if it was not seen yet", "number", "s"),
+    Column("confidence", "0 to 100; missing for players", "number"),
+)
+TABLES = {"tracking": TRACKING, "events": EVENTS, "beliefs": BELIEFS}
 
 
 def tracking_table(recording: MatchRecording) -> Table:
@@ -137,6 +151,28 @@ def word_array(values: list[Any]) -> np.ndarray:
     return column
 
 
+def belief_table(recording: MatchRecording, errors: BeliefErrors) -> Table:
+    """Return the table of beliefs: for each noted frame and robot its own place, the ball, and each player tracked."""
+    shown = np.ones(errors.error.shape, bool)
+    shown[..., 2:] = ~np.isnan(errors.believed[..., 2:, 0])
+    rows, robots, objects = np.nonzero(shown)
+    frames = recording.noted[rows]
+    kinds = np.where(errors.teammate, "teammate", "opponent").astype(object)
+    kinds[..., 0], kinds[..., 1] = OWN, BALL
+    when = frame_columns(recording)
+    table: Table = {column.name: when[column.name][frames] for column in WHEN}
+    table["robot"] = word_array([player.name for player in recording.players])[robots]
+    table["object"] = kinds[rows, robots, objects]
+    for at, axis in enumerate("xy"):
+        table[f"believed_{axis}"], table[f"true_{axis}"] = errors.believed[shown][:, at], errors.true[shown][:, at]
+    age = np.where(np.isfinite(errors.age), errors.age, np.nan)
+    table |= {"error": errors.error[shown], "range": errors.range[shown], "age": age[shown]}
+    table["confidence"] = errors.confidence[shown]
+    return table
+
+
 def match_tables(recording: MatchRecording) -> dict[str, Table]:
-    """Return both tables of a match by name."""
-    return {"tracking": tracking_table(recording), "events": event_table(recording)}
+    """Return the tables of a match by name; that of beliefs if they were collected."""
+    tables = {"tracking": tracking_table(recording), "events": event_table(recording)}
+    beliefs = recording.beliefs
+    return tables if beliefs is None else {**tables, "beliefs": belief_table(recording, beliefs)}

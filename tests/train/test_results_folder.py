@@ -101,7 +101,7 @@ def test_a_condition_that_came_later_was_at_its_default(tmp_path: Path) -> None:
         ResultsFolder(tmp_path, TOSSES, {**ASKED, "coin": "bent"}, MADE, ABOUT, defaults={"coin": "fair"})
 
 
-GROWING = RunKind("a toss", ("seed",), ("tosses.jsonl", "report.md"), grows="tosses")
+GROWING = RunKind("a toss", ("seed",), ("tosses.jsonl", "report.md"), grows=("tosses",))
 
 
 def growing(path: Path, tosses: int, **changes: Any) -> ResultsFolder:

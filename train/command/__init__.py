@@ -1,7 +1,8 @@
 """The command line program `soccer`.
 
 command_line.py      the commands: the settings that each command reads, and the text that it prints
-match_commands.py    `soccer record`, `replay`, `export` and `watch`
+match_commands.py    `soccer tournament`, `record`, `replay`, `export` and `watch`
+printing.py          print tables, JSON, and the files of a run
 listing.py           `soccer list`
 parsing.py           parse a command's words into its settings, or report the error in one line; shell completion
 left_out.py          how the help shows an optional value

@@ -6,28 +6,30 @@ and exit code 2; SOCCER_ENV_TRACEBACK=1 shows the traceback.
 
 from __future__ import annotations
 
-import json
 import os
 import sys
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any, get_args
+from typing import TYPE_CHECKING, get_args
 
 from soccer_env.guards.names import unknown
 from soccer_env.train.command.exit_codes import BELOW, STOPPED, WRONG
 from soccer_env.train.command.interrupts import repeat_swallowed_interrupts
-from soccer_env.train.command.match_commands import recheck_sample, run_export, run_record, run_replay, run_watch
+from soccer_env.train.command.match_commands import (
+    recheck_sample,
+    run_export,
+    run_record,
+    run_replay,
+    run_tournament,
+    run_watch,
+)
 from soccer_env.train.command.parsing import COMPLETION, completion, read_settings, reason_of, take_out_flag
+from soccer_env.train.command.printing import console, print_json, print_kept_replays, print_written_files
 
 if TYPE_CHECKING:
-    from pathlib import Path
     from types import ModuleType
-
-    from rich.console import Console
 
     from soccer_env.train.ppo.settings import TrainSettings
     from soccer_env.train.ppo.training import TrainResult
-
-WIDTH = 120  # columns of a table that does not go to a terminal
 
 SUMMARIES = {
     "evaluate": "play one team against another, with intervals and a verdict",
@@ -37,6 +39,7 @@ SUMMARIES = {
     "export": "make a film, a browser page, pictures or tables from a replay file",
     "record": "play a match or a drill into a replay file",
     "replay": "play a replay file again and check every step",
+    "tournament": "rank teams: a cross table, ratings with intervals, who is above whom",
     "train": "train a policy",
     "reproduce": "measure the claims of the two papers",
     "warm-up": "compile everything ahead of time",
@@ -101,18 +104,6 @@ def print_error(message: str) -> int:
     return WRONG
 
 
-def console() -> Console:
-    """Return the console for printing tables: the terminal, or one of fixed width."""
-    from rich.console import Console
-
-    return Console(width=None if sys.stdout.isatty() else WIDTH, markup=False)  # names of teams and files are no markup
-
-
-def print_json(value: Any) -> None:
-    """Print a value as JSON and nothing else on stdout, for other programs."""
-    print(json.dumps(value, indent=2))
-
-
 def kinds_of_settings() -> dict[str, type]:
     """Return the settings class of each command by the command's name."""
     from soccer_env.train.bench.settings import BenchSettings
@@ -123,11 +114,12 @@ def kinds_of_settings() -> dict[str, type]:
     from soccer_env.train.evaluate.settings import EvaluateSettings
     from soccer_env.train.papers.settings import ReproduceSettings
     from soccer_env.train.ppo.settings import TrainSettings
+    from soccer_env.train.tournament.settings import TournamentSettings
 
     return {
         "evaluate": EvaluateSettings, "list": ListSettings, "bench": BenchSettings, "export": ExportSettings,
-        "record": RecordSettings, "replay": ReplaySettings, "reproduce": ReproduceSettings, "train": TrainSettings,
-        "warm-up": WarmUpSettings, "watch": WatchSettings,
+        "record": RecordSettings, "replay": ReplaySettings, "reproduce": ReproduceSettings,
+        "tournament": TournamentSettings, "train": TrainSettings, "warm-up": WarmUpSettings, "watch": WatchSettings,
     }  # fmt: skip
 
 
@@ -162,22 +154,6 @@ def run_evaluate(words: list[str]) -> int:
         print(f"points {result.points.mean:.3f} are below {settings.at_least:g}", file=sys.stderr)
         return BELOW
     return 0
-
-
-def print_written_files(folder: Path | None, *names: str) -> None:
-    """Print the paths of those files `names` that exist in a folder."""
-    if folder is not None:
-        print(f"written: {', '.join(str(folder / name) for name in names if (folder / name).exists())}")
-
-
-def print_kept_replays(folder: Path | None) -> None:
-    """Print the number and size of the replays that a folder keeps."""
-    from soccer_env.train.evaluate.replays import kept_in
-    from soccer_env.train.evaluate.replays.keep import summary
-
-    kept = kept_in(folder) if folder is not None else []
-    if folder is not None and kept:
-        print(f"kept: {folder / 'replays'}, {summary(kept)}")
 
 
 def run_list(words: list[str]) -> int:
@@ -289,6 +265,7 @@ COMMANDS: dict[str, Callable[[list[str]], int]] = {
     "record": run_record,
     "replay": run_replay,
     "reproduce": run_reproduce,
+    "tournament": run_tournament,
     "train": run_train,
     "warm-up": run_warm_up,
     "watch": run_watch,

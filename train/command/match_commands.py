@@ -1,19 +1,39 @@
-"""The functions that run `soccer record`, `replay`, `export`, `watch` and `evaluate --recheck`."""
+"""The functions that run `soccer tournament`, `record`, `replay`, `export`, `watch` and `evaluate --recheck`."""
 
 from __future__ import annotations
 
-import json
 import sys
 from typing import TYPE_CHECKING
 
 from soccer_env.train.command.exit_codes import BELOW, STOPPED
 from soccer_env.train.command.parsing import read_settings
+from soccer_env.train.command.printing import console, print_json, print_written_files
 
 if TYPE_CHECKING:
     from soccer_env.train.evaluate import EvaluateSettings, RecheckResult
     from soccer_env.train.evaluate.rechecking import Difference
 
 SHOWN = 12  # differing fields of a pair, at most
+
+
+def run_tournament(words: list[str]) -> int:
+    """Run `soccer tournament`."""
+    from soccer_env.train.tournament.settings import TournamentSettings
+
+    settings = read_settings(TournamentSettings, words, "tournament")
+    from soccer_env.train.command.compiling_beside import compile_step_beside
+    from soccer_env.train.tournament.playing import tournament
+    from soccer_env.train.tournament.report import screen_tables
+
+    with compile_step_beside():
+        result = tournament(settings)
+    if settings.json:
+        print_json(result.as_dict())
+        return 0
+    for table in screen_tables(result):
+        console().print(table)
+    print_written_files(settings.out, "result.json", "report.html")
+    return 0
 
 
 def run_record(words: list[str]) -> int:
@@ -64,7 +84,7 @@ def recheck_sample(settings: EvaluateSettings, said: set[str]) -> int:
         print("stopped; no file was changed", file=sys.stderr)
         return STOPPED
     if settings.json:
-        print(json.dumps(result.as_dict(), indent=2))
+        print_json(result.as_dict())
     else:
         print_recheck_result(result)
     return 0 if result.agrees else BELOW

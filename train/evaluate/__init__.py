@@ -14,6 +14,7 @@ drills.py          `run_drill`: how often a team succeeds in a drill
 rechecking.py      `recheck`: play a sample again and compare every line bit for bit
 same_contest.py    read a folder of results, and rebuild its contest
 map_pictures.py    heat maps, pass networks and shot maps as a picture, and as tables of a report
+belief_pictures.py errors of beliefs against range and age, as a picture
 replays/           replays of matches worth keeping
 """
 

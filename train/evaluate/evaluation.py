@@ -48,10 +48,24 @@ def evaluate(
     settings.away may then use. Raises ValueError for settings that cannot be played and for a folder with another
     evaluation.
     """
+    contest, folder = open_evaluation(settings, league, teams or {})
+    conditions = contest.conditions
+    with Progress(f"{conditions.home} against {conditions.away}", conditions.matches * steps_of_match(contest)) as bar:
+        result = play_evaluation(contest, folder, settings.threads, bar)
+    write_reports(contest, folder, result, Keep(settings.keep, settings.keep_pages))
+    if settings.picture:
+        draw_first_match(contest, folder, result)
+    return result
+
+
+def prepare_evaluation(
+    settings: EvaluateSettings, league: League | None, teams: Mapping[str, Team]
+) -> tuple[Contest, dict[str, str]]:
+    """Return the contest and what its result depends on; every error that it could have is raised here."""
     if settings.recheck is not None:
         raise ValueError("recheck is a flag of the command; in Python recheck(folder) of soccer_env.train.evaluate")
     league = league or find_league(settings.league)
-    contest = contest_of(conditions_of(settings, league), league, teams or {})
+    contest = contest_of(conditions_of(settings, league), league, teams)
     check_training_conditions(contest, settings)
     made = {
         **made_with(league, contest.first, contest.second),
@@ -60,18 +74,37 @@ def evaluate(
     contest.start("home", [0])  # raises an error before the folder is made if the contest cannot be played
     if settings.out is not None:
         check_team_hashes(made)
+    return contest, made
+
+
+def open_evaluation(
+    settings: EvaluateSettings, league: League | None, teams: Mapping[str, Team]
+) -> tuple[Contest, ResultsFolder]:
+    """Return the contest and folder of an evaluation; ValueError if it cannot be played, or for another's folder."""
+    contest, made = prepare_evaluation(settings, league, teams)
     about = {"command": command_of(settings), **date_and_commit()}
-    folder = ResultsFolder(settings.out, EVALUATION, asdict(contest.conditions), made, about, settings.anew)
-    lines = play_missing_matches(contest, folder, settings.threads)
-    result = replace(summarise(contest.conditions, made, lines, contest.league.pitch), trained=training_notes(contest))
-    folder.write("result.json", json.dumps(result.as_dict(), indent=2) + "\n")
+    return contest, ResultsFolder(settings.out, EVALUATION, asdict(contest.conditions), made, about, settings.anew)
+
+
+def play_evaluation(contest: Contest, folder: ResultsFolder, threads: int, progress: Progress) -> EvaluationResult:
+    """Play the matches that are missing in the folder; return the result of all matches."""
+    lines = play_missing_matches(contest, folder, threads, progress)
+    result = summarise(contest.conditions, folder.made_with, lines, contest.league.pitch)
+    return replace(result, trained=training_notes(contest))
+
+
+def write_reports(contest: Contest, folder: ResultsFolder, result: EvaluationResult, keep: Keep) -> None:
+    """Write the reports of a result and the replays to keep, and last result.json, which says that all is there."""
     folder.write("report.md", markdown(result, folder.about))
     if folder.path is not None:
-        kept = keep_replays(contest, result.lines, Keep(settings.keep, settings.keep_pages), folder.path)
+        kept = keep_replays(contest, result.lines, keep, folder.path)
         folder.write("report.html", page_of(result, folder.about, kept))
-    if settings.picture:
-        draw_first_match(contest, folder, result)
-    return result
+    folder.write("result.json", result_text(result))
+
+
+def result_text(result: EvaluationResult) -> str:
+    """Return the contents of result.json."""
+    return json.dumps(result.as_dict(), indent=2) + "\n"
 
 
 def training_notes(contest: Contest) -> dict[str, str]:
@@ -82,23 +115,27 @@ def training_notes(contest: Contest) -> dict[str, str]:
     return notes
 
 
-def play_missing_matches(contest: Contest, folder: ResultsFolder, threads: int) -> list[MatchLine]:
+def play_missing_matches(contest: Contest, folder: ResultsFolder, threads: int, progress: Progress) -> list[MatchLine]:
     """Play every match that is missing in the folder; return the result lines of all matches."""
     conditions = contest.conditions
     lines = list(folder.results(MATCHES, MatchLine, "match").values())
     for line in lines:
         check_line(line, conditions.players)
     done = {line.match for line in lines}
-    steps = conditions.minutes * 60.0 * contest.league.control_rate  # of a match
-    with Progress(f"{conditions.home} against {conditions.away}", steps * (conditions.matches - len(done))) as progress:
+    progress.skip(len(done) * steps_of_match(contest))
 
-        def take(batch: list[MatchLine]) -> None:
-            folder.add(MATCHES, batch)
-            lines.extend(batch)
-            progress.note(f"{len(lines)} of {conditions.matches} matches")
+    def take(batch: list[MatchLine]) -> None:
+        folder.add(MATCHES, batch)
+        lines.extend(batch)
+        progress.note(f"{len(lines)} of {conditions.matches} matches")
 
-        play_matches(contest, done, folder.settings, threads, take, progress.advance)
+    play_matches(contest, done, folder.settings, threads, take, progress.advance)
     return lines
+
+
+def steps_of_match(contest: Contest) -> float:
+    """Return the number of control steps of a match without extra time."""
+    return contest.conditions.minutes * 60.0 * contest.league.control_rate
 
 
 def draw_first_match(contest: Contest, folder: ResultsFolder, result: EvaluationResult) -> None:

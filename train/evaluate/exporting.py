@@ -1,4 +1,4 @@
-"""`soccer export`: turn a replay file into a film, a picture, a page for the browser, data, or a picture of maps."""
+"""`soccer export`: turn a replay into a film, a picture, a browser page, data, or a picture of maps or of errors."""
 
 from collections.abc import Iterable, Iterator
 from dataclasses import asdict, replace
@@ -9,12 +9,15 @@ from soccer_env.data_out.sportec import write_sportec
 from soccer_env.data_out.standard import FILES, write_standard
 from soccer_env.data_out.table_files import require_writer, table_paths, write_tables
 from soccer_env.data_out.tables import match_tables
+from soccer_env.guards.whole_files import write_atomically
 from soccer_env.render import save_png
 from soccer_env.render.overlays.flags import select_flags
 from soccer_env.replay import Replay
 from soccer_env.shows import frame
 from soccer_env.shows.browser import write_page
 from soccer_env.shows.film import drawn_steps, make_film
+from soccer_env.train.evaluate.belief_pictures import KINDS as BELIEF_PICTURES
+from soccer_env.train.evaluate.belief_pictures import draw_beliefs
 from soccer_env.train.evaluate.map_pictures import KINDS as MAPS
 from soccer_env.train.evaluate.map_pictures import export_maps
 from soccer_env.train.evaluate.play_settings import ExportSettings
@@ -30,12 +33,13 @@ KINDS = (".html", ".mp4", ".gif", ".png", *DATA)
 def export(settings: ExportSettings) -> str:
     """Export a replay to the format of the file's ending; return name and size of the new file in words."""
     kind = settings.target.suffix.lower()
-    if kind not in (MAPS if settings.maps else KINDS):
-        with_maps = f"--out with --maps must end with {', '.join(MAPS)}"
-        must = with_maps if settings.maps else f"--out must end with {', '.join(KINDS)}"
-        advice = f"; {kind} needs --maps: heat maps, pass networks, shot maps" if kind in MAPS else ""
+    option = "maps" if settings.maps else "beliefs" if settings.beliefs else ""
+    kinds = {"maps": MAPS, "beliefs": (*TABLES, *BELIEF_PICTURES)}.get(option, KINDS)
+    if kind not in kinds:
+        must = f"--out{f' with --{option}' if option else ''} must end with {', '.join(kinds)}"
+        advice = f"; {kind} needs --maps: heat maps, pass networks, shot maps" if kind in MAPS and not option else ""
         raise ValueError(f"{must}, got {str(settings.target)!r}{advice}")
-    if kind in DATA:
+    if kind in DATA or settings.beliefs:
         check_target(
             settings.target.with_suffix(".tmp")
         )  # only the folder above: `check_targets_free` checks NAME.cdf itself
@@ -90,16 +94,20 @@ def export_data(settings: ExportSettings) -> list[Path]:
     require_writer(kind)
     sources = find_replay_files(settings.file)
     if kind in TABLES:
-        targets = list(table_paths(settings.target).values())
+        targets = list(table_paths(settings.target, settings.beliefs).values())
+    elif settings.beliefs:
+        targets = [settings.target]
     elif settings.file.is_dir():
         targets = targets_of(settings.target, sources)
     else:
         targets = [settings.target]
     check_targets_free(targets, settings.anew)
     with Progress(settings.target.name, len(sources)) as bar:
-        matches = collect_matches(sources, bar)
+        matches = collect_matches(sources, bar, settings.beliefs)
         if kind in TABLES:
-            write_tables((match_tables(match) for match in matches), settings.target)
+            write_tables((match_tables(match) for match in matches), settings.target, settings.beliefs)
+        elif settings.beliefs:
+            write_atomically(settings.target, draw_beliefs(matches, kind[1:]))
         else:
             for match, target in zip(matches, targets, strict=True):
                 (write_sportec if kind == ".xml" else write_standard)(match, target)
@@ -127,10 +135,10 @@ def targets_of(out: Path, sources: Iterable[str]) -> list[Path]:
     return list(targets)
 
 
-def collect_matches(sources: dict[str, Path], bar: Progress) -> Iterator[MatchRecording]:
+def collect_matches(sources: dict[str, Path], bar: Progress, beliefs: bool) -> Iterator[MatchRecording]:
     """Yield the events and frames of each match; each match is played only when the iterator reaches it."""
     for name, path in sources.items():
-        yield collect_match(Replay.read(path), name)
+        yield collect_match(Replay.read(path), name, beliefs=beliefs)
         bar.advance(1)
 
 

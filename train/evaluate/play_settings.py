@@ -79,6 +79,7 @@ class ExportSettings(FilmSettings, CommandSettings):
     .png         one picture of the match
 
     With --maps, .png, .svg and .pdf show heat maps, pass networks and shot maps, also from a result.json.
+    With --beliefs, tables have NAME_beliefs as well, and .png and .svg show errors against range and age.
     """
 
     file: tyro.conf.Positional[Path]
@@ -88,10 +89,17 @@ class ExportSettings(FilmSettings, CommandSettings):
     replays, one file per match, NAME_MATCH; but tables hold all matches in one file."""
     maps: bool = False
     """Draw heat maps, pass networks and shot maps: .png, .svg or .pdf."""
+    beliefs: bool = False
+    """Write what robots believed, beside the truth: tables, .png or .svg."""
     anew: bool = False
     """Overwrite an existing file."""
 
     @property
     def target(self) -> Path:
-        """Return the file to write: `out`, or by default a page (with --maps a picture) named after the replay."""
-        return self.out or Path(self.file.resolve().stem + (".png" if self.maps else ".html"))
+        """Return the file to write: `out`, or by default a page (of maps or beliefs a picture) named as the replay."""
+        return self.out or Path(self.file.resolve().stem + (".png" if self.maps or self.beliefs else ".html"))
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.maps and self.beliefs:
+            raise ValueError("give maps or beliefs, not both")

@@ -20,7 +20,7 @@ LEFT_OUT = ("settings", "statistics", "maps")  # fields of a line that result.js
 FILES = (MATCHES, "result.json", "report.md", "report.html", "match.png")
 REPLAYS, KEPT = "replays", "kept.json"  # the folder of kept replays, and the list in it
 KEPT_FILES = [f"{REPLAYS}/*-match-[0-9]*-seed-[0-9]*.{kind}" for kind in ("replay", "html")] + [f"{REPLAYS}/{KEPT}"]
-EVALUATION = RunKind("an evaluation", ("home", "away", "scene"), FILES, lambda _: KEPT_FILES, grows="matches")
+EVALUATION = RunKind("an evaluation", ("home", "away", "scene"), FILES, lambda _: KEPT_FILES, grows=("matches",))
 HALF_WIDTH = 0.25  # [goals a match] half width of the interval for which the number of matches is estimated
 
 

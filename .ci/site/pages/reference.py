@@ -88,13 +88,16 @@ PUBLIC = (
     Page(
         "evaluating",
         "Evaluate and train",
-        "What `soccer evaluate` and `soccer train` do, from Python.",
+        "What `soccer evaluate`, `soccer tournament` and `soccer train` do, from Python.",
         (
             *("train.evaluate.evaluation.evaluate", "train.evaluate.settings.EvaluateSettings"),
-            *("train.evaluate.results.EvaluationResult", "train.evaluate.results.Estimate", "train.ppo.train"),
+            *("train.evaluate.results.EvaluationResult", "train.evaluate.results.Estimate"),
+            *("train.tournament.playing.tournament", "train.tournament.settings.TournamentSettings"),
+            *("train.tournament.results.TournamentResult", "train.tournament.results.Standing", "train.ppo.train"),
             *("train.ppo.settings.TrainSettings", "train.ppo.vec_env.SoccerVecEnv"),
         ),
         "from soccer_env.train.evaluate import EvaluateSettings, evaluate\n"
+        "from soccer_env.train.tournament import TournamentSettings, tournament\n"
         "from soccer_env.train.ppo import SoccerVecEnv, TrainSettings, train",
     ),
     Page(
@@ -104,6 +107,7 @@ PUBLIC = (
         (
             *("replay.replay_file.Recorder", "replay.replay_file.Replay", "thoughts.thoughts.Thoughts"),
             *("render.frame.Picture", "render.overlays.onlooker.Onlooker", "data_out"),
+            *("data_out.belief_errors.errors_of", "data_out.belief_errors.BeliefErrors"),
         ),
         "from soccer_env.replay import Recorder, Replay, Thoughts\nfrom soccer_env.render import Picture, save_png",
     ),

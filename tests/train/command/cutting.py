@@ -33,6 +33,7 @@ PARTS = {  # modules that take long to import: a child has them, and is cut whil
     "train": "soccer_env.train.ppo.training",
     "reproduce": "soccer_env.train.papers.reproduction",
     "evaluate": "soccer_env.train.evaluate.evaluation",
+    "tournament": "soccer_env.train.tournament.playing",
     "export": "soccer_env.train.evaluate.exporting",
     "record": "soccer_env.train.evaluate.recording",
 }

@@ -27,6 +27,7 @@ TRAIN = (
 EXPORT = "export {replay} --anew --out {out}"
 COMMANDS = {
     "evaluate": f"evaluate --home chaser --away still --matches 6 --minutes 0.5 {SHORT} --out {{out}}",
+    "tournament": f"tournament --teams chaser,still,random --matches 2 --minutes 0.3 {SHORT} --out {{out}}",
     "train": f"{TRAIN} --teacher=",
     "train, with a teacher": f"{TRAIN} --teacher chaser --teacher-steps 600 --teacher-epochs 2 --rounds 2",
     "reproduce": "reproduce H12 H17 S05 --quick --out {out}",

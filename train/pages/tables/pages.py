@@ -25,6 +25,7 @@ from soccer_env.train.bench.benchmark import run_benchmark as run_bench
 from soccer_env.train.bench.settings import BenchSettings
 from soccer_env.train.pages.tables.drills import drills_table, measure_drills
 from soccer_env.train.pages.tables.headlines import headlines_table
+from soccer_env.train.pages.tables.ladder import ladder_table, measure_ladder
 from soccer_env.train.pages.tables.learned import (
     learned_rows,
     learned_table,
@@ -55,7 +56,7 @@ from soccer_env.types import WORLD
 
 DATA = Path(__file__).with_name("tables.json")
 ROOT = Path(__file__).resolve().parents[3]
-PLAYED = ("scripted", "sacks", "heinemann", "learned", "plausibility")  # tables whose rows are matches
+PLAYED = ("ladder", "scripted", "sacks", "heinemann", "learned", "plausibility")  # tables whose rows are matches
 SLOWER = 2.0  # factor by which a ratio may grow before the check fails; machines are noisy
 
 
@@ -103,6 +104,7 @@ class PageTable(NamedTuple):
 
 TABLES = {
     "sensors": PageTable("soccer_env/perception/README.md", measure_sensors, sensors_table),
+    "ladder": PageTable("baselines/README.md", measure_ladder, ladder_table),
     "scripted": PageTable("baselines/README.md", lambda: measure_rows(scripted_rows()), scripted_table),
     "sacks": PageTable("baselines/README.md", lambda: measure_rows(sacks_rows()), sacks_table),
     "heinemann": PageTable("baselines/README.md", lambda: measure_rows(heinemann_rows()), heinemann_table),
