@@ -25,7 +25,7 @@ from soccer_env.train.ppo.recurrent import Memory
 from soccer_env.train.ppo.settings import TrainSettings
 
 ACTIVATIONS = {"tanh": nn.Tanh, "relu": nn.ReLU}
-RARE = 0.01  # share of the decisions below which an entry counts as not met: robots see ghosts, assumed
+RARE = 0.25  # share of the decisions below which a player counts as not met: robots see ghosts, assumed
 ACTION_GAIN = 0.01  # of the actor's last layer: an untrained actor stands still, but for the noise
 ABSENT = -1e38  # logit of an empty slot: below all that a policy may reach, and finite, for the gradient's sake
 
@@ -176,15 +176,16 @@ def export_policy(
 ) -> Policy:  # fmt: skip
     """Return the actor of a trained network as a Policy, to be written to a file.
 
-    Entries that training hardly met, such as the fourth team-mate, get weight 0: their first, random weights would
+    Players that training hardly met, such as the fourth team-mate, get weight 0: their first, random weights would
     disturb a larger team.
     """
     weights, biases, pooling, memory = (
         tuple(part.detach().cpu().numpy().astype(np.float32) for part in parts) for parts in actor_tensors(network)
     )
     if network.kind == "slots" and network.met.any():
+        players = np.array([entry.slot is not None for entry in network.entries])
         for part in (weights[0], *memory[:1]):
-            part[:, : len(network.met)][:, network.met.cpu().numpy() < RARE] = 0.0
+            part[:, : len(players)][:, players & (network.met.cpu().numpy() < RARE)] = 0.0
     inputs, actions = tuple(entry.name for entry in network.entries), {4: "box", 7: "full"}[len(biases[-1])]
     return Policy(
         name=name, **training_fields(league), observe=observe, inputs=inputs, actions=actions,

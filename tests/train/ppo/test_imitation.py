@@ -129,12 +129,14 @@ def test_players_that_no_teaching_showed_move_nothing_in_the_file_of_the_policy(
     """The first weights of a slot that stayed empty would be noise in a larger team."""
     seen, asked = recorded[0].copy(), recorded[1]
     empty = [i for i, name in enumerate(NAMES) if name.startswith(("teammate_1", "opponent_2"))]
-    seen[:, empty], seen[:2, empty] = 0.0, 1.0  # two ghosts in 320 decisions
+    seen[:, empty], seen[:32, empty] = 0.0, 1.0  # ghosts in a tenth of the decisions
     _, taught = fitted((seen, asked))
     file: Any = {"name": "t", "league": find_league("legged-2001"), "observe": "belief", "action_repeat": 8, "made": {}}
     policy = export_policy(taught, **file)
-    first, shown = taught.policy_net[0].weight.detach().numpy(), (seen != 0.0).mean(axis=0) >= 0.01
-    assert empty and not shown[empty].any() and not policy.weights[0][:, ~shown].any()
+    rare = (seen != 0.0).mean(axis=0) < 0.25
+    shown = np.array([not one or entry.slot is None for one, entry in zip(rare, ENTRIES, strict=True)])
+    first = taught.policy_net[0].weight.detach().numpy()
+    assert empty and not shown[empty].any() and not policy.weights[0][:, ~shown].any() and rare[shown].any()
     assert (policy.weights[0][:, shown] == first[:, shown]).all() and first.all(), "the network itself keeps its own"
     other = network(seed=2)
     copy_actor(other, policy)
