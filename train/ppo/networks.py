@@ -25,7 +25,6 @@ from soccer_env.train.ppo.recurrent import Memory
 from soccer_env.train.ppo.settings import TrainSettings
 
 ACTIVATIONS = {"tanh": nn.Tanh, "relu": nn.ReLU}
-RARE = 0.25  # share of the decisions below which a player counts as not met: robots see ghosts, assumed
 ACTION_GAIN = 0.01  # of the actor's last layer: an untrained actor stands still, but for the noise
 ABSENT = -1e38  # logit of an empty slot: below all that a policy may reach, and finite, for the gradient's sake
 
@@ -102,7 +101,6 @@ class SoccerPolicy(nn.Module):
     """
 
     signs: torch.Tensor | None
-    met: torch.Tensor
 
     def __init__(
         self, entries: Sequence[Entry], features: int, actions: int = 4, *, hidden: Sequence[int] = (64, 64),
@@ -114,7 +112,6 @@ class SoccerPolicy(nn.Module):
         inputs = len(entries)
         signs = torch.tensor(observation_signs(entries), dtype=torch.float32) if mirror else None
         self.register_buffer("signs", signs, persistent=False)
-        self.register_buffer("met", torch.zeros(inputs))  # largest share of a rollout in which an entry was not 0
         self.attention = None
         if kind == "attention":
             self.attention = Attention(layout_of(entries), attention_width(hidden), activation)
@@ -126,6 +123,20 @@ class SoccerPolicy(nn.Module):
         self.action_net: nn.Module = MirrorHead(head, action_mirror) if mirror else head
         self.critic_net = nn.Sequential(*layers([features, *critic], activation), linear(critic[-1], 1, 1.0))
         self.log_std = nn.Parameter(torch.full((actions,), float(np.log(noise))))
+        if kind == "slots":
+            self._ignore_players()
+
+    def _ignore_players(self) -> None:
+        """Set the weights of all slots for other players to 0, from which training moves those that it fills.
+
+        Random weights of slots that training leaves empty would disturb the policy wherever they are filled: in a
+        larger team always, and before that by each ghost, a player who is not there.
+        """
+        players = [i for i, entry in enumerate(self.entries) if entry.slot is not None]
+        weights, _, _, memory = actor_tensors(self)
+        with torch.no_grad():
+            for part in (weights[0], *memory[:1]):
+                part[:, players] = 0.0
 
     @property
     def device(self) -> torch.device:
@@ -154,11 +165,6 @@ class SoccerPolicy(nn.Module):
             read, states = self.memory(read, states, features, begins)
         return self.action_net(self.policy_net(read)).view(steps, rows, -1), states
 
-    def meet(self, features: torch.Tensor) -> None:
-        """Note how often the entries of observations were other than 0, in features (..., n or more) of a rollout."""
-        share = (features[..., : len(self.entries)] != 0.0).flatten(0, -2).float().mean(0)
-        self.met = torch.maximum(self.met, share.to(self.device))
-
     def values(self, features: torch.Tensor) -> torch.Tensor:
         """Return the critic's values (B,) of features (B, n)."""
         values: torch.Tensor = self.critic_net(features)[:, 0]
@@ -174,18 +180,10 @@ def export_policy(
     network: SoccerPolicy, *, name: str, league: League, observe: str, action_repeat: int, made: Mapping[str, str],
     senses: str = "", pose: str = "",
 ) -> Policy:  # fmt: skip
-    """Return the actor of a trained network as a Policy, to be written to a file.
-
-    Players that training hardly met, such as the fourth team-mate, get weight 0: their first, random weights would
-    disturb a larger team.
-    """
+    """Return the actor of a trained network as a Policy, to be written to a file."""
     weights, biases, pooling, memory = (
         tuple(part.detach().cpu().numpy().astype(np.float32) for part in parts) for parts in actor_tensors(network)
     )
-    if network.kind == "slots" and network.met.any():
-        players = np.array([entry.slot is not None for entry in network.entries])
-        for part in (weights[0], *memory[:1]):
-            part[:, : len(players)][:, players & (network.met.cpu().numpy() < RARE)] = 0.0
     inputs, actions = tuple(entry.name for entry in network.entries), {4: "box", 7: "full"}[len(biases[-1])]
     return Policy(
         name=name, **training_fields(league), observe=observe, inputs=inputs, actions=actions,
@@ -235,8 +233,6 @@ def copy_actor(network: SoccerPolicy, policy: Policy) -> None:
         for parts, arrays in zip(actor_tensors(network), given, strict=True):
             for part, array in zip(parts, arrays, strict=True):
                 part.copy_(torch.tensor(array))
-    if policy.kind == "slots":
-        network.meet(torch.tensor(policy.weights[0]))
 
 
 def blank_policy(settings: TrainSettings, league: League) -> Policy:

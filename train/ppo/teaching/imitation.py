@@ -60,7 +60,6 @@ def fit(
     """Fit the actor to recorded decisions, or with a memory to whole episodes; return the mean error of each epoch."""
     steps = len(observations) if network.memory else 1
     seen, wanted = (torch.as_tensor(part).reshape(steps, -1, part.shape[-1]) for part in (observations, actions))
-    network.meet(seen)
     optimizer = torch.optim.Adam(network.actor_parameters()[:-1], lr=rate)
     generator = torch.Generator().manual_seed(seed)
     schedule = torch.optim.lr_scheduler.CosineAnnealingLR(optimizer, epochs, eta_min=0.05 * rate)

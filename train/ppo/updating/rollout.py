@@ -74,7 +74,6 @@ def collect(
         last_seen += [infos[row]["terminal_observation"] for row in rows_cut]
         each_step()
     torch.set_num_threads(threads)
-    network.meet(torch.as_tensor(observations))
     if cut_off:
         rewards[tuple(np.transpose(cut_off))] += gamma * values_of(network, np.array(last_seen))
     values = values_of(network, observations.reshape(length * rows, -1)).reshape(length, rows)
