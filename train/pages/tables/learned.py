@@ -1,4 +1,4 @@
-"""The tables of the learned team: its evaluations, and the time of its training."""
+"""The tables of the learned teams: their evaluations, and the time of training."""
 
 import tempfile
 from collections.abc import Iterable, Iterator, Mapping
@@ -89,6 +89,34 @@ def match_kind(row: dict[str, Any]) -> str:
     unusual += [f"rules {row['rules']}"] * (row["rules"] != "league")
     unusual += [f"`{row['league']}`"] * (row["league"] != LEAGUE)
     return ", ".join([sizes, *unusual])
+
+
+# The learned team of the middle size
+
+MIDDLE = "middle-size-2006"
+TEAM_2006, MATCHES_2006 = "learned-2006", 24
+TEAMS_2006 = ("chaser", "heinemann-2006", "weigel-2001")
+
+
+def learned_2006_rows() -> Iterator[EvaluateSettings]:
+    """Yield the settings of its evaluations, in matches of the league's own length."""
+    for players in (1, 2, 3, 5):
+        for away in TEAMS_2006:
+            yield row_settings(MIDDLE, TEAM_2006, away, "sensors", MATCHES_2006, None, players, HELD_OUT)
+
+
+def learned_2006_table(table: dict[str, Any]) -> str:
+    """Return its table in Markdown: a row for each team size, a column for each opponent."""
+    cells = {}
+    for row in table["rows"]:
+        size, away = f"{row['players']}v{row['players']}", f"`{row['away']}`"
+        cells[size, away] = f"{goals_of(row)}, {100.0 * row['points']['mean']:.0f} %"
+        if row["away"] == TEAMS_2006[0]:
+            clean, goals = row["clean_goals"]
+            cells[size, "clean goals, of all"] = f"{clean:.0f} of {goals:.0f}"
+            cells[size, WHISTLED] = " : ".join(f"{number / row['matches']:.1f}" for number in row["whistles"])
+    shown = f"Goal difference a match and share of the points, in {MATCHES_2006} matches of half an hour a cell."
+    return "\n".join([crosstable("players", cells), "", shown, f"Command of a cell: `{table['rows'][0]['command']}`"])
 
 
 # The reference run: the speed of training, and the time of its stages

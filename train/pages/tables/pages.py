@@ -27,6 +27,8 @@ from soccer_env.train.pages.tables.drills import drills_table, measure_drills
 from soccer_env.train.pages.tables.headlines import headlines_table
 from soccer_env.train.pages.tables.ladder import ladder_table, measure_ladder
 from soccer_env.train.pages.tables.learned import (
+    learned_2006_rows,
+    learned_2006_table,
     learned_rows,
     learned_table,
     measure_learned,
@@ -56,7 +58,15 @@ from soccer_env.types import WORLD
 
 DATA = Path(__file__).with_name("tables.json")
 ROOT = Path(__file__).resolve().parents[3]
-PLAYED = ("ladder", "scripted", "sacks", "heinemann", "learned", "plausibility")  # tables whose rows are matches
+PLAYED = (
+    "ladder",
+    "scripted",
+    "sacks",
+    "heinemann",
+    "learned",
+    "learned_2006",
+    "plausibility",
+)  # tables whose rows are matches
 SLOWER = 2.0  # factor by which a ratio may grow before the check fails; machines are noisy
 
 
@@ -110,6 +120,9 @@ TABLES = {
     "heinemann": PageTable("baselines/README.md", lambda: measure_rows(heinemann_rows()), heinemann_table),
     "drills": PageTable("baselines/README.md", measure_drills, drills_table),
     "learned": PageTable("agents/policies/README.md", lambda: measure_learned(learned_rows()), learned_table),
+    "learned_2006": PageTable(
+        "agents/policies/learned-2006.md", lambda: measure_learned(learned_2006_rows()), learned_2006_table
+    ),
     "training": PageTable("train/MEASURED.md", measure_training, training_table),
     "speed": PageTable("train/MEASURED.md", measure_speed, speed_table),
     "plausibility": PageTable("train/MEASURED.md", measure_plausibility, plausibility_table),

@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from soccer_env.train.pages.tables.learned import learned_table
+from soccer_env.train.pages.tables.learned import learned_2006_table, learned_table
 from soccer_env.train.pages.tables.teams import scripted_table
 
 ROW: dict[str, Any] = {
@@ -33,3 +33,10 @@ def test_the_chasers_table_says_how_many_matches_a_column_has() -> None:
     text = scripted_table({"rows": [ROW, long]})
     assert "| `chaser` | +0.50 (+0.40 to +0.60), 62 % | - |\n| `still` | - | +0.50 (+0.40 to +0.60), 62 % |" in text
     assert "Columns: 200 matches of 4 minutes, 100 matches of 10 minutes." in text
+
+
+def test_the_middle_size_has_a_row_a_size_and_a_column_an_opponent() -> None:
+    row = ROW | {"clean_goals": [9.0, 12.0]}
+    lines = learned_2006_table({"rows": [row, row | {"away": "weigel-2001"}, row | {"players": 1}]}).splitlines()
+    assert lines[2] == ("| 3v3 | +0.50 (+0.40 to +0.60), 62 % | 9 of 12 | 1.5 : 1.0 | +0.50 (+0.40 to +0.60), 62 % |")
+    assert lines[3] == "| 1v1 | +0.50 (+0.40 to +0.60), 62 % | 9 of 12 | 1.5 : 1.0 | - |"
