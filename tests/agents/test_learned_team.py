@@ -121,7 +121,7 @@ def test_the_bundled_policy_is_older_than_the_clocks_and_plays_as_it_was_written
     match = Match(home=3, away=3, controllers={"home": "learned", "away": "chaser"}, seed=1, pose="particles")
     columns = policy.columns(match.league)
     names = entry_names(match.league, "belief")
-    assert [names[column] for column in columns] == list(policy.inputs) and len(names) - len(columns) == 4
+    assert [names[column] for column in columns] == list(policy.inputs) and len(names) - len(columns) == 6
     asked = 0
     for _ in range(60):
         wait = match.squads[0].memory["wait"][0].copy()

@@ -52,7 +52,7 @@ def trained(hidden: tuple[int, ...], activation: str, mirror: bool, actions: str
     network = SoccerPolicy(entries, len(entries), 7 if actions == "full" else 4, **settings)
     with torch.no_grad():
         for parameter in network.actor_parameters():
-            parameter.normal_(0.0, 1.3 / parameter.shape[-1] ** 0.5)
+            parameter.normal_(0.0, 1.5 / parameter.shape[-1] ** 0.5)
     league = find_league("legged-2001")
     made = export_policy(network, name="t", league=league, observe="belief", action_repeat=1, made={})
     return network, made

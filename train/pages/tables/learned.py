@@ -98,7 +98,7 @@ def match_kind(row: dict[str, Any]) -> str:
 # The learned team of the middle size
 
 MIDDLE = "middle-size-2006"
-TEAM_2006, MATCHES_2006 = "learned-2006", 24
+TEAM_2006, MATCHES_2006, WHOLE = "learned-2006", 12, 30.0  # [min] a whole match
 TEAMS_2006 = ("chaser", "heinemann-2006", "weigel-2001")
 
 
@@ -106,7 +106,7 @@ def learned_2006_rows() -> Iterator[EvaluateSettings]:
     """Yield the settings of its evaluations, in matches of the league's own length."""
     for players in (1, 2, 3, 5):
         for away in TEAMS_2006:
-            settings = row_settings(MIDDLE, TEAM_2006, away, "sensors", MATCHES_2006, None, players, HELD_OUT)
+            settings = row_settings(MIDDLE, TEAM_2006, away, "sensors", MATCHES_2006, WHOLE, players, HELD_OUT)
             yield replace(settings, pose="particles")  # it was trained with the cheaper "percept"
 
 
