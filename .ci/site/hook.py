@@ -17,7 +17,7 @@ MADE = {
     "Reference": lambda: [{"Command line": "commands.md"}, *catalogue.navigation(), *reference.navigation()],
     "Explanation": claims.navigation,
 }
-LINKED = ("soccer_env/pictures/*", "agents/policies/*.png", "agents/policies/*.html", "CITATION.cff")
+LINKED = ("soccer_env/pictures/*", "agents/policies/*.png", "CITATION.cff")
 
 
 def on_config(config: MkDocsConfig) -> MkDocsConfig:

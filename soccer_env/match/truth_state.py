@@ -223,9 +223,7 @@ def robot_numbers(league: League, records: Records) -> dict[str, Any]:
     """
     pitch, drive, game, robots = league.pitch, league.drive, records["matches"], records["robots"]
     taker = np.where(game["phase"] == PLAY, game["taker"], -1)  # until another robot touches the ball
-    walk = robots["walk"]
-    heading = robots["heading"]
-    active = robots["active"].astype(float)
+    walk, heading, active = robots["walk"], robots["heading"], robots["active"].astype(float)
     numbers = {
         "present": active,
         "keeper": robots["keeper"],
