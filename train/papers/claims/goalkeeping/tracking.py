@@ -127,6 +127,6 @@ H25 = claim(
     reported("uncoloured ball: past without a touch", "plain clean", unit="%"),
     reported("past without a touch, ideal senses", "ideal clean", unit="%"),
     reported("difference by the ball, of 100 runs", lambda s: 100 * mean(s["coloured past"] - s["plain past"])),
-    measure=lambda batch: compare(BALLS, partial(dribble_round, batch), FIRST), batches=4, seconds=2.0,
+    measure=lambda batch: compare(BALLS, partial(dribble_round, batch), FIRST), batches=12, seconds=2.0,
     ingredients=("dribbles_round, which the team leaves off in matches", "the drill's places"),
 )  # fmt: skip

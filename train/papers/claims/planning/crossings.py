@@ -171,7 +171,7 @@ H07 = claim(
     reported("it takes longer by", excess_percent, "time", unit="%"),
     reported("travels of the time-variant one with a collision", "new hit", unit="%"),
     reported("conventional: way over the straight line", lambda s: mean(s["old length"]) / WAY),
-    rules=NO_MATCH, measure=slow_travels, batches=8, seconds=2.0,
+    rules=NO_MATCH, measure=slow_travels, batches=24, seconds=2.0,
     ingredients=ASSUMED,
 )  # fmt: skip
 

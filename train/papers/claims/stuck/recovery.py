@@ -65,7 +65,7 @@ S26 = claim(
     rules=PLAYED_AND_STAGED, measure=measure_held_again,
     figures=plot("Held again after a recovery", "steps back", "robots [%]", BACK_STEPS,
                  {"held again within 5 s": held_again}),
-    least=4, batches=12, seconds=4.0,
+    least=4, batches=24, seconds=4.0,
     without=Ablation("the way back counted in the five seconds, as here it is not",
                      partial(measure_held_again, way_back=True)),
     ingredients=(HELD, "side_steps 5: assumed"),
@@ -183,7 +183,7 @@ S29 = claim(
     figures=plot_shares("Robots held in play: free by when", "time [s]", "robots [%]", np.linspace(0.0, FUTURE, 49),
                         {"recover at once": "freed begun", "recover when they notice": "freed on",
                          "push on": "freed off"}),
-    least=4, batches=12, seconds=3.0,
+    least=4, batches=24, seconds=3.0,
     ingredients=(HELD, "side_steps 5: assumed"),
     note="A robot that backs off comes free more often than one that pushes on, most of all where the ball lies still, "
     "but gets the ball less often: others are there first while it is away. When it has to notice by itself nothing is "

@@ -168,7 +168,7 @@ S22 = claim(
     *(reported(f"held in play, 9 readings and 8 s: noticed within {name}", percent, f"known {name}",
                f"robots {name}", unit="%") for name in PLAY_TIMES),
     rules=PLAYED_AND_STAGED, measure=measure_with_play, condition="at a setting that the paper does not tell",
-    figures=surface_figures, batches=6, seconds=12.0,
+    figures=surface_figures, batches=12, seconds=12.0,
     ingredients=("near_zero and clearly: assumed", "a held robot sees the ball throughout"),
     note=surface_table,
 )  # fmt: skip
@@ -182,8 +182,8 @@ S23 = claim(
     SAME,
     reported("at 9 readings and 8 s, one counter: false alarms", of_team, "one", "approaches", unit="%"),
     reported("at 9 readings and 8 s, two counters: false alarms", of_team, "two", "approaches", unit="%"),
-    measure=measure_settings, condition="at a setting that the paper does not tell", figures=surface_figures, batches=6,
-    seconds=12.0,
+    measure=measure_settings, condition="at a setting that the paper does not tell", figures=surface_figures,
+    batches=12, seconds=12.0,
     ingredients=("near_step 0.25, near_zero and clearly: assumed",),
     note=surface_table,
 )  # fmt: skip
