@@ -136,9 +136,9 @@ H20 = claim(
 
 H23 = claim(
     "H23", "4", "The passive goalkeeper is too static until the ball is passing it.",
-    f"{STANCE_TEXT}; how far the keeper has moved when the ball is past it, saved or in.",
-    measured("active keeper's way over the passive one's (means)", ratio, "line active way", "line passive way",
-             above=2.0),
+    f"{STANCE_TEXT}; how far the keeper moves before the ball is level with it.",
+    measured("active keeper's way over the passive one's, until level (means)", ratio, "line active way",
+             "line passive way", above=2.0),
     *by_radius("the same", ratio, "{} active way", "{} passive way", unit=""),
     reported("passive keeper's way", "line passive way", unit="cm"),
     reported("active keeper's way", "line active way", unit="cm"),

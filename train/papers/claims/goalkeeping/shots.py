@@ -33,7 +33,7 @@ class ShotOutcomes:
 
     speed: np.ndarray  # [m/s] at the kick
     goal: np.ndarray  # bool: it went in
-    moved: np.ndarray  # [m] greatest distance of the keeper from its place at the kick, until the shot is decided
+    moved: np.ndarray  # [m] the farthest that the keeper is from its place at the kick before the ball is level with it
     error: np.ndarray  # [m] rms error of the believed ball while it rolled
 
 
@@ -73,6 +73,7 @@ def shoot(
     match.rebuild()
     start = match.robots["x"][:, 0].copy(), match.robots["y"][:, 0].copy()
     ball_radius = match.league.ball.radius
+    level = match.league.body.disc_radius + ball_radius
     goal, open_, moved, square = np.zeros(count, bool), np.ones(count, bool), np.zeros(count), []
     for _ in range(round(SECONDS * rate)):
         match.step()
@@ -83,7 +84,7 @@ def shoot(
         error = ball_error(match)
         square.append(np.where(open_, error * error, np.nan))
         far = np.hypot(keeper["x"] - start[0], keeper["y"] - start[1])
-        moved = np.where(open_, np.maximum(moved, far), moved)
+        moved = np.where(open_ & (ball["x"] - keeper["x"] > level), np.maximum(moved, far), moved)
         stopped = goal | (ball["vx"] > -SLOW) | (ball["x"] < -match.league.pitch.length / 2 - ball_radius)
         open_ &= ~stopped & (ball["x"] > keeper["x"])
         if stopped.all():
