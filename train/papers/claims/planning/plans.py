@@ -177,15 +177,16 @@ H15 = claim(
     f"{PLANNED}, by both planners' kernels in a loop without Python; means over {LOOPS} plans, the least of "
     f"{TRIES}. Beside it the share of the cycle that a plan takes on a processor {SLOWER:g} times as slow (assumed), "
     "which is another meaning of \"comparable\".",
-    measured("time over the conventional planner's (means)", lambda s: mean(s["new"]) / mean(s["old"]), at_most=3.0),
-    reported("the same (median)", lambda s: median(s["new"] / s["old"])),
-    reported("that 1 % exceed", lambda s: quantile(s["new"] / s["old"], 0.99)),
-    reported("plans of one pass, of which the sentence speaks: means",
-             lambda s: mean(s["new"][s["new passes"] == 1]) / mean(s["old"][s["new passes"] == 1])),
+    measured("plans of one pass, of which the sentence speaks: time over the conventional planner's (means)",
+             lambda s: mean(s["new"][s["new passes"] == 1]) / mean(s["old"][s["new passes"] == 1]), at_most=3.0),
+    reported("all plans: means", lambda s: mean(s["new"]) / mean(s["old"])),
+    reported("all plans: median of the ratio", lambda s: median(s["new"] / s["old"])),
+    reported("all plans: ratio that 1 % exceed", lambda s: quantile(s["new"] / s["old"], 0.99)),
     reported("conventional plan, of a cycle of 20 ms", of_cycle, "old", unit="%"),
     reported("time-variant plan, of a cycle of 20 ms", of_cycle, "new", unit="%"),
     reported("conventional plan on this machine", "old", unit="us"),
-    rules=NO_MATCH, measure=measure_planning_times, timed=True, batches=2, seconds=1.0,
+    rules=NO_MATCH, measure=measure_planning_times, condition="in plans of one pass", timed=True, batches=2,
+    seconds=1.0,
     ingredients=("the machine, and compiled code: numbers differ from run to run",),
 )  # fmt: skip
 
