@@ -221,6 +221,6 @@ S66 = claim(
     without=Ablation("sensors.dither, the same number of pixels in both layers; here the same angle",
                      partial(compare_layers, dither=2.0 * find_league(LEGGED).sensors.dither)),
     ingredients=("sensors.dither", "pixels of half the size"),
-    note="With the ranger's rule on (a reading below 2/3 of the range by size wins) balls beyond about 0.9 m scatter "
-    "as much with either layer: readings of the ranger are so noisy there that many a one is short by a third.",
+    note="With the ranger's rule on (a reading below 2/3 of the range by size wins) the finer layer gains less, least "
+    "at about a metre: readings of the ranger are so noisy there that many a one is short by a third.",
 )  # fmt: skip
