@@ -15,10 +15,12 @@ All matches of claims are made here (`make_matches`), which refuses rules that t
 """
 
 from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
+from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from soccer_env.match import Match
 from soccer_env.match.staging import PATIENT, send_off, set_phase
@@ -31,6 +33,8 @@ from soccer_env.train.papers.claim import Batch
 from soccer_env.types import Phase
 
 LEGGED, MIDDLE = "legged-2001", "middle-size-2006"
+FLOOR = replace(find_league(LEGGED).pitch, length=7.0, width=6.0)  # [m]
+OPEN_FLOOR = replace(find_league(LEGGED), pitch=FLOOR)  # for scenes that reach beyond the boards, whose ramps move them
 
 
 def make_matches(batch: Batch, league: str | League, rules: str, *, matches: int, **settings: Any) -> Match:

@@ -7,7 +7,15 @@ from soccer_env.match.staging import memory_settings_of
 from soccer_env.optics import head_camera as optics
 from soccer_env.train.papers.claim import Batch
 from soccer_env.train.papers.claims.players import grouping, jersey, moving, views, watching
-from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, put, still_actions, wrap_angle
+from soccer_env.train.papers.staging import (
+    OPEN_FLOOR,
+    begin_scene,
+    distance_to_point,
+    play,
+    put,
+    still_actions,
+    wrap_angle,
+)
 from soccer_env.train.papers.true_sight import camera_of, turn_head
 
 BATCH = Batch("test", 0, 0)
@@ -173,3 +181,14 @@ def test_movers_keep_their_speed_and_those_that_stand_stay() -> None:
     assert samples["error"].shape == (moving.SCENES, len(moving.SPEEDS))
     assert np.nanmax(np.abs(samples["error"][:, 0] - samples["first"][:, 0])) < 1e-3
     assert np.nanmedian(samples["error"][:, -1]) > np.nanmedian(samples["error"][:, 1])
+
+
+def test_on_the_open_floor_nothing_that_stands_two_metres_away_is_moved() -> None:
+    match = watching.stage_watchers(BATCH, 16, league=OPEN_FLOOR)
+    watching.put_facing(match, 1, 2.0, 0.0, 0.0)
+    place = match.robots[["x", "y"]][:, 1].copy()
+    begin_scene(match)
+    for _ in play(match, 1.0):
+        pass
+    np.testing.assert_array_equal(match.robots[["x", "y"]][:, 1], place)
+    match.close()

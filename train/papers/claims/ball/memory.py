@@ -8,7 +8,15 @@ import numpy as np
 from soccer_env.match import Match
 from soccer_env.train.papers.claim import Ablation, Batch, claim
 from soccer_env.train.papers.plots import plot
-from soccer_env.train.papers.staging import distance_to_ball, play, put_ball, stage_ball, still_actions, wrap_angle
+from soccer_env.train.papers.staging import (
+    OPEN_FLOOR,
+    distance_to_ball,
+    play,
+    put_ball,
+    stage_ball,
+    still_actions,
+    wrap_angle,
+)
 from soccer_env.train.papers.true_sight import blind_cameras, look_first, stare_at_ball
 from soccer_env.train.papers.values import bin_masks, least_rise, median, middles_of, ratio
 from soccer_env.train.papers.verdicts import Samples, measured, reported
@@ -48,7 +56,8 @@ def look_at_ball(batch: Batch, **memory: Any) -> Match:
     rng = batch.rng()
     pose = rng.uniform(-0.9, -0.6, MATCHES), rng.uniform(-0.1, 0.1, MATCHES), rng.uniform(-0.2, 0.2, MATCHES)
     side, distance = rng.choice([-1.0, 1.0], MATCHES), rng.uniform(0.5, 0.9, MATCHES)
-    match = stage_ball(batch, *pose, distance, side * rng.uniform(0.6, 1.2, MATCHES), memory=memory)
+    bearing = side * rng.uniform(0.6, 1.2, MATCHES)
+    match = stage_ball(batch, *pose, distance, bearing, league=OPEN_FLOOR, memory=memory)
     look_first(match, SEEN)
     return match
 

@@ -5,12 +5,11 @@ from functools import partial
 
 import numpy as np
 
-from soccer_env.leagues import find_league
 from soccer_env.train.papers import staging
 from soccer_env.train.papers.claim import PLAYED, Ablation, Batch, claim, compare
 from soccer_env.train.papers.claims.ball.range import CAMERA_AHEAD, RANGE_LABEL
 from soccer_env.train.papers.plots import plot_bins
-from soccer_env.train.papers.staging import LEGGED
+from soccer_env.train.papers.staging import OPEN_FLOOR
 from soccer_env.train.papers.true_sight import ball_angle, ball_in_sight, follow_ball, look_first
 from soccer_env.train.papers.values import bin_masks, percent, ratio, rms, subtract_row_mean
 from soccer_env.train.papers.verdicts import Samples, counted, exact, measured, reported
@@ -33,7 +32,7 @@ def look_at_still_balls(batch: Batch, hold: int = 1, radius: float | None = None
 
     hold: number of consecutive frames with equal camera noise; radius: ball radius [m], None for the league's radius.
     """
-    rng, league = batch.rng(), find_league(LEGGED)
+    rng, league = batch.rng(), OPEN_FLOOR
     if radius is not None:
         league = replace(league, ball=replace(league.ball, radius=radius))
     pose = rng.uniform(-0.3, 0.3, MATCHES), rng.uniform(-0.2, 0.2, MATCHES), rng.choice([0.0, np.pi], MATCHES)

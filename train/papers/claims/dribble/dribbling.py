@@ -197,6 +197,6 @@ S60 = claim(
     reported("body of one piece: the difference", blocked_time_difference, "smooth ", unit="%"),
     measure=measure_in_both_worlds(push_past_robot), batches=16, seconds=2.0,
     ingredients=("the robots' outlines and their friction", "traction and thrust"),
-    note="The body of one piece shows the paper's effect, at its outline and not at legs. Legs that swing are caught "
-    "seldom, and at 55 degrees twice as often.",
+    note="Robots slide past each other at either angle, and farther at 55 degrees. A leg is held only between two legs "
+    "of the other robot (MS51), where hardly any comes from right ahead.",
 )  # fmt: skip

@@ -179,6 +179,7 @@ CLASSES: tuple[tuple[str, tuple[str | Scene, ...]], ...] = (
     ("mover, a still player behind", (STILL_BEHIND,)),
     ("mover and still, opposite sides", ("mover-and-still",)),
 )
+BEHIND = 2  # of CLASSES: the mover with a stationary player, not one on each side
 AS_WELL = 10.0  # [pp] more touches that are "about as well", assumed
 clean, touched = columns("clean"), columns("touched")  # shares [%] of the runs of each class
 
@@ -197,12 +198,11 @@ def dribble_past_classes(batch: Batch) -> Samples:
 S64 = claim(
     "S64", "4.3.4", "A mover and stationary players are mostly avoided well, but not one on each side.",
     f"{MATCHES} runs a batch in each drill of four classes: {', '.join(name for name, _ in CLASSES)}; movers at "
-    f"6 cm/s. {RULES}",
-    measured("clean past one still player, less the best other class", lambda s: clean(s)[0] - max(clean(s)[1:]),
-             unit="%", above=0.0),
+    f"6 cm/s. The paper: \"it performs well much of the time\", but less so with one on each side. {RULES}",
+    measured("clean, a mover and a still player behind", "clean", BEHIND, unit="%", above=50.0),
     measured("the least other class less mover and still on opposite sides",
              lambda s: min(clean(s)[:-1]) - clean(s)[-1], unit="%", above=0.0),
-    *(reported(f"clean, {name}", "clean", i, unit="%") for i, (name, _) in enumerate(CLASSES)),
+    *(reported(f"clean, {name}", "clean", i, unit="%") for i, (name, _) in enumerate(CLASSES) if i != BEHIND),
     *(reported(f"past without a contact that stopped it or turned somebody, {name}", "free", i,
                unit="%") for i, (name, _) in enumerate(CLASSES)),
     *(reported(f"past, touched or not, {name}", "past", i, unit="%")

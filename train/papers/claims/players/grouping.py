@@ -13,7 +13,7 @@ from soccer_env.train.papers.claim import Ablation, Batch, claim
 from soccer_env.train.papers.claims.players import watching
 from soccer_env.train.papers.claims.players.jersey import JERSEYS
 from soccer_env.train.papers.plots import each, plot, plots
-from soccer_env.train.papers.staging import begin_scene, still_actions, watch, wrap_angle
+from soccer_env.train.papers.staging import OPEN_FLOOR, begin_scene, still_actions, watch, wrap_angle
 from soccer_env.train.papers.true_sight import turn_head
 from soccer_env.train.papers.values import percent
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
@@ -67,7 +67,8 @@ def ghosts_and_misses(visible: np.ndarray, filled: np.ndarray) -> tuple[np.ndarr
 
 def count_errors(batch: Batch, factor: float, jersey: float) -> dict[str, np.ndarray]:
     """Count ghosts, missed players, filled slots and visible players over all frames (M,), with a grouping factor."""
-    match = watching.stage_watchers(batch, MATCHES, away=2, memory={"grouping": factor}, sensors={"jersey": jersey})
+    settings = {"memory": {"grouping": factor}, "sensors": {"jersey": jersey}}
+    match = watching.stage_watchers(batch, MATCHES, away=2, league=OPEN_FLOOR, **settings)
     put_two_in_view(match, batch.rng())
     begin_scene(match)
     actions = still_actions(match)
@@ -138,7 +139,7 @@ S33 = claim(
 
 def count_kept_opponents(batch: Batch, alike: bool = False) -> Samples:
     """Count frames (M,) with two opponents visible and one slot filled, and frames that keep the nearer opponent."""
-    match = watching.stage_watchers(batch, PAIRS, away=2)
+    match = watching.stage_watchers(batch, PAIRS, away=2, league=OPEN_FLOOR)
     put_two_in_view(match, batch.rng(), alike)
     begin_scene(match)
     actions = still_actions(match)

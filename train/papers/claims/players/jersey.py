@@ -14,7 +14,7 @@ from soccer_env.match import Match
 from soccer_env.train.papers.claim import Ablation, Batch, claim
 from soccer_env.train.papers.claims.players import watching
 from soccer_env.train.papers.plots import Drawing, columns, part, plot, plot_bins, plots
-from soccer_env.train.papers.staging import begin_scene, put, record, still_actions
+from soccer_env.train.papers.staging import OPEN_FLOOR, begin_scene, put, record, still_actions
 from soccer_env.train.papers.values import bin_masks, mean, median, ratio, rms, row_means, subtract_row_mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
@@ -58,7 +58,7 @@ def turn_player_once(batch: Batch, jersey: float, view: str, **sensors: Any) -> 
     rng, settings = batch.rng(), {"jersey": jersey, **sensors}
     place = rng.uniform(NEAR, FAR, RUNS), rng.uniform(-0.4, 0.4, RUNS), rng.uniform(-np.pi, np.pi, RUNS)
     memory = {"player_infrared": False, "player_view": view}
-    match = watching.stage_player(batch, RUNS, *place, sensors=settings, memory=memory)
+    match = watching.stage_player(batch, RUNS, *place, league=OPEN_FLOOR, sensors=settings, memory=memory)
     actions = still_actions(match)
 
     def read() -> Samples:

@@ -15,7 +15,7 @@ from soccer_env.train.papers.claim import Batch, claim
 from soccer_env.train.papers.claims.players import watching
 from soccer_env.train.papers.claims.players.grouping import TILT, ghosts_and_misses, put_two_in_view, seen_and_believed
 from soccer_env.train.papers.plots import Drawing, columns, part, plot
-from soccer_env.train.papers.staging import begin_scene, play, still_actions
+from soccer_env.train.papers.staging import OPEN_FLOOR, begin_scene, play, still_actions
 from soccer_env.train.papers.true_sight import turn_head
 from soccer_env.train.papers.values import mean, median, rms, subtract_row_mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
@@ -50,7 +50,7 @@ def stare_at_one(batch: Batch, sensors: dict[str, float], **memory: Any) -> dict
     "filled": number of slots filled since then, ideally one; "range": relative scatter of the believed range [1].
     """
     rng = batch.rng()
-    match = watching.stage_watchers(batch, MATCHES, away=3, sensors=sensors, memory=memory)
+    match = watching.stage_watchers(batch, MATCHES, away=3, league=OPEN_FLOOR, sensors=sensors, memory=memory)
     for r, low, high in ((1, -AHEAD, AHEAD), (2, *ASIDE), (3, -ASIDE[1], -ASIDE[0])):
         distance, bearing = rng.uniform(NEAR, FAR, MATCHES), rng.uniform(low, high, MATCHES)
         watching.put_facing(match, r, distance, bearing, rng.uniform(-np.pi, np.pi, MATCHES))
@@ -184,7 +184,7 @@ def remember_three(batch: Batch, event: str) -> dict[str, np.ndarray]:
     "ghosts" and "missed" (M,): their numbers in the frame of the event.
     """
     rng = batch.rng()
-    match = watching.stage_watchers(batch, WATCHERS, away=3)
+    match = watching.stage_watchers(batch, WATCHERS, away=3, league=OPEN_FLOOR)
     put_two_in_view(match, rng)
     side = rng.choice([-1.0, 1.0], WATCHERS)
     distance, bearing = rng.uniform(THIRD_NEAR, THIRD_FAR, WATCHERS), side * rng.uniform(*ASIDE, WATCHERS)

@@ -13,7 +13,15 @@ from soccer_env.train.papers.claim import Ablation, Batch, claim
 from soccer_env.train.papers.claims.players import watching
 from soccer_env.train.papers.claims.players.watching import distance_to_robot, nearest_seen, stage_player, stare
 from soccer_env.train.papers.plots import plot_bins
-from soccer_env.train.papers.staging import begin_scene, distance_to_ball, point_ahead, put_ball, record, still_actions
+from soccer_env.train.papers.staging import (
+    OPEN_FLOOR,
+    begin_scene,
+    distance_to_ball,
+    point_ahead,
+    put_ball,
+    record,
+    still_actions,
+)
 from soccer_env.train.papers.true_sight import camera_of, stare_for, turn_head
 from soccer_env.train.papers.values import gain, mean, ratio, rms
 from soccer_env.train.papers.verdicts import Samples, measured, reported
@@ -34,7 +42,8 @@ def look_at_players(batch: Batch, near: float, far: float, **settings: Any) -> S
     """
     rng = batch.rng()
     distance, bearing = rng.uniform(near, far, MATCHES), rng.uniform(-ASIDE, ASIDE, MATCHES)
-    match = watching.stage_player(batch, MATCHES, distance, bearing, rng.uniform(-np.pi, np.pi, MATCHES), **settings)
+    view = rng.uniform(-np.pi, np.pi, MATCHES)
+    match = watching.stage_player(batch, MATCHES, distance, bearing, view, league=OPEN_FLOOR, **settings)
 
     def read() -> Samples:
         true, infrared = watching.distance_to_robot(match), match.percepts["infrared"][:, 0].astype(float)
@@ -46,7 +55,7 @@ def look_at_players(batch: Batch, near: float, far: float, **settings: Any) -> S
 def look_at_balls(batch: Batch) -> Samples:
     """Return the measured range of a ball ("range") and its true range ("true"), at the places of `look_at_players`."""
     rng = batch.rng()
-    match = watching.stage_watchers(batch, MATCHES, sensors={"patches": 0.0})
+    match = watching.stage_watchers(batch, MATCHES, league=OPEN_FLOOR, sensors={"patches": 0.0})
     distance, bearing = rng.uniform(NEAR, FAR, MATCHES), rng.uniform(-ASIDE, ASIDE, MATCHES)
     put_ball(match, *point_ahead(match, 0, distance, bearing))
     begin_scene(match)

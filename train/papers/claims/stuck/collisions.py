@@ -120,9 +120,8 @@ S03 = claim(
                         rules=(80.0,)),
     batches=12, seconds=4.0,
     ingredients=("friction of bodies and ball", "bodies are a trunk and four posts, which can interlock"),
-    note="Bodies slide past each other: three in ten pairs are held short of the ball at all, and half of these have "
-    "it a second later. Where they stay together they push the ball on before both of them, and come no nearer. "
-    "Deadlocks last longer in play, where more robots press: see the robots that are held there.",
+    note="Bodies slide past each other: half of the pairs are held short of the ball, and half of these have it three "
+    "seconds later. Where they stay together they push the ball on before both of them, and come no nearer.",
 )  # fmt: skip
 
 # Stealing the ball by running into the opponent that has it

@@ -185,8 +185,7 @@ S29 = claim(
                          "push on": "freed off"}),
     least=4, batches=24, seconds=3.0,
     ingredients=(HELD, "side_steps 5: assumed"),
-    note="A robot that backs off comes free more often than one that pushes on, most of all where the ball lies still, "
-    "but gets the ball less often: others are there first while it is away. When it has to notice by itself nothing is "
-    "gained in 10 s, for a quarter only notices within 5 s; with thresholds of 5 readings and 1 s most do, and it "
-    "comes free more often too.",
+    note="A robot that backs off comes free more often than one that pushes on, but gets the ball no more often: "
+    "others are there first while it is away. When it has to notice by itself nothing is gained in 10 s, for a sixth "
+    "only notices within 5 s; with thresholds of 5 readings and 1 s it comes free more often too.",
 )  # fmt: skip
