@@ -185,7 +185,7 @@ S30 = claim(
     f"before it goes for it, walking round others or not; who has the ball alone within {STEAL_TIME:g} s, and who "
     "because the opponent lost it in contact with the robot. A whistle against one of them, a dropped ball and being "
     "pulled apart end a scene that nobody has won.",
-    counted("not avoiding: balls won by contact", "contact", "one", at_least=1.0),
+    counted("not avoiding: balls won by contact", "contact", "one", at_least=5.0),
     reported("avoiding: balls won by contact", "on contact", unit="%"),
     reported("balls won without avoidance", "off", unit="%"),
     reported("balls won with avoidance", "on", unit="%"),

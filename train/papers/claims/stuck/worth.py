@@ -95,7 +95,7 @@ S02 = claim(
     f"runs a batch of staged tasks, ball got within {LONGEST:g} s: blocker (drill ball-behind-robot), wall "
     "(facing-wall), post (one in the way whom nobody pushes aside), pair (two that converge on a still ball: S03).",
     measured("held in play: success with recovery less without",
-             lambda s: task_success(s, "on") - task_success(s, "off"), unit="pp", at_least=20.0),
+             lambda s: task_success(s, "on") - task_success(s, "off"), unit="pp", above=0.0),
     measured(f"held in play: mean time to the ball ({WITHIN:g} s for who does not get it), with less without",
              lambda s: mean_time(s, "on") - mean_time(s, "off"), unit="s", below=0.0),
     measured("stuck balls a minute of play, with less without",
