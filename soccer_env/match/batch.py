@@ -210,7 +210,7 @@ class MatchBatch:
             rows = rows[self.believing[rows]]
             observe_belief_slice(
                 self.beliefs, self.tracks, self.matches, self.robots, out, self.constants,
-                self.settings.half_length, rows, first, last,
+                self.settings.half_length, (self.settings.home, self.settings.away), rows, first, last,
             )  # fmt: skip
 
     @property

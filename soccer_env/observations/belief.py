@@ -87,10 +87,13 @@ def every_entry() -> list[Entry]:
 
 
 @compiled
-def observe_belief_slice(beliefs, tracks, matches, robots, observations, constants, half_length, rows, first, last):
+def observe_belief_slice(
+    beliefs, tracks, matches, robots, observations, constants, half_length, sizes, rows, first, last
+):  # fmt: skip
     """Write the observations (M, R, n) of the robots in `rows`.
 
     Of `robots` only exact readings of the body are used, and of `matches` and `robots` what the referee counts.
+    sizes: robots of home and of away. A robot knows them: slots beyond stay empty, whatever it believes to see.
     """
     k = constants[0]
     diagonal = sqrt(k.pitch_length * k.pitch_length + k.pitch_width * k.pitch_width)
@@ -108,8 +111,11 @@ def observe_belief_slice(beliefs, tracks, matches, robots, observations, constan
             if k.ranger == 1:
                 write_obstacle(belief.obstacle, record_view(observation, at, OBSTACLE_ROW), diagonal)
                 at += OBSTACLE_SIZE
+            team = robots[m, r].team
             for slot in range(k.teammate_slots + k.opponent_slots):
-                write_player(tracks[m, r, slot], record_view(observation, at, PLAYER_ROW), k, diagonal)
+                others = sizes[team] - 1 if slot < k.teammate_slots else k.teammate_slots + sizes[1 - team]
+                row_of_player = record_view(observation, at, PLAYER_ROW)
+                write_player(tracks[m, r, slot], 1.0 if slot < others else 0.0, row_of_player, k, diagonal)
                 at += PLAYER_SIZE
 
 
@@ -190,9 +196,9 @@ def write_obstacle(obstacle, row, diagonal):
 
 
 @compiled
-def write_player(track, row, k, diagonal):
-    """Write one tracked player into its slot of an observation; an unused track gives zeros."""
-    used = 1.0 if track.present == 1 else 0.0
+def write_player(track, exists, row, k, diagonal):
+    """Write one tracked player into its slot of an observation; an unused track, or exists=0, gives zeros."""
+    used = exists if track.present == 1 else 0.0
     speed = 1.0 / k.drive_forward
     row.present = used
     row.x, row.y = used * clip(track.x / diagonal, -1.0, 1.0), used * clip(track.y / diagonal, -1.0, 1.0)
