@@ -39,8 +39,12 @@ def belief_of(match: Match, m: int, r: int) -> Numbers:
         told |= {name: there * value for name, value in facing("obstacle_", float(obstacle["bearing"])).items()}
     slots = match.league.slots
     names = [f"teammate_{i}" for i in range(slots.teammates)] + [f"opponent_{i}" for i in range(slots.opponents)]
+    home = match.robots["team"][m, r] == 0
+    mine, theirs = (match.settings.home, match.settings.away)[:: 1 if home else -1]
+    others = {"teammate": mine - 1, "opponent": theirs}  # a robot knows how many play: ghosts beyond them are left out
     for name, track in zip(names, match.tracks[m, r], strict=True):
-        told |= track_of(match, name, track)
+        kind, number = name.split("_")
+        told |= track_of(match, name, track, int(number) < others[kind])
     return told
 
 
@@ -54,14 +58,14 @@ def situation_of(match: Match, told: Any) -> Numbers:
     }  # fmt: skip
 
 
-def track_of(match: Match, name: str, track: Any) -> Numbers:
-    """Return what is believed of another player; all 0 where the slot is empty."""
+def track_of(match: Match, name: str, track: Any, exists: bool) -> Numbers:
+    """Return what is believed of another player; all 0 where the slot is empty, or for one too many."""
     told = {
         "present": 1.0, **parts("", point(track), diagonal_of(match)), **facing("", track["heading"]),
         **parts("v", point(track, "vx", "vy"), match.league.drive.forward),
         "confidence": track["confidence"] / 100.0, "age": aged(track["age"]),
     }  # fmt: skip
-    return {f"{name}_{key}": value * float(track["present"] == 1) for key, value in told.items()}
+    return {f"{name}_{key}": value * float(exists and track["present"] == 1) for key, value in told.items()}
 
 
 def aged(age: float) -> float:
