@@ -47,6 +47,19 @@ def split_senses(senses: str) -> tuple[str, str]:
     return both
 
 
+def split_variation(text: str) -> dict[str, tuple[float, float]]:
+    """Parse "ball.mass=0.8:1.2,kicker.miss=2": ranges of factors, or single factors, by name."""
+    ranges: dict[str, tuple[float, float]] = {}
+    for part in text.split(",") if text else ():
+        name, _, both = part.strip().partition("=")
+        low, colon, high = both.partition(":")
+        try:
+            ranges[name] = float(low), float(high if colon else low)
+        except ValueError:
+            raise_not_allowed("variation", "written as NAME=LOW:HIGH,NAME=FACTOR", text)
+    return ranges
+
+
 def command_line(command: str, settings: Any, always: Collection[str] = ()) -> str:
     """Return the command line with these settings, a dataclass; defaults are left out, except fields in `always`.
 

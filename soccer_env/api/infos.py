@@ -10,6 +10,7 @@
 | `event_NAME` | events of the match in this step: the fields of `types.EVENTS` without the ball's place |
 | `own_NAME` | events of the robot itself: the fields of `types.ROBOT_EVENTS` |
 | `action_mask` | of actions="discrete" and "multi": the choices with an effect now, see `actions.action_masks` |
+| `variation_NAME` | with `variation=`: the factor of each number in this episode |
 | `statistics_NAME` | infos="full": of the episode so far, from the side of the agent's team: `soccer list statistics` |
 """
 
@@ -50,6 +51,7 @@ class FlatReport:
         keys = (*STANDING, *self._rewards, *self._events, *self._own)
         nothing = True, 0, 0, 0, 0, *(0.0,) * len(self._rewards), *self._quiet, *self._own_quiet
         self._nothing = dict(zip(keys, nothing, strict=True))
+        self._variation = match.settings.variation
         self._met = met
         self.turn_to(match)
 
@@ -77,6 +79,8 @@ class FlatReport:
         own, shares, happened = robot_events.tolist(), terms.tolist(), self._chosen(events.item())
         common, infos = self._nothing.copy(), {}
         common["phase"] = int(match["phase"])
+        if self._variation is not None:
+            common.update((f"variation_{name}", factor) for name, factor in self._variation.factors(match).items())
         if happened != self._quiet:
             common.update(zip(self._events, happened))
         for agent, row, team in self._robots:
@@ -117,6 +121,7 @@ class FlatInfoArrays:
         values += [match.matches["phase"], self._now, *match.terms[:, row].T]
         values += [*(match.events[name] for name in EVENT_NAMES), *(own[name] for name in OWN_NAMES)]
         arrays = dict(zip(self._keys, values, strict=True))
+        arrays |= {f"variation_{name}": factors for name, factors in match.variation.items()}
         if self._full:
             numbers = statistics_by_name(match.statistics, self._team)
             arrays |= {f"statistics_{name}": values for name, values in numbers.items()}

@@ -16,7 +16,7 @@ MODULE_PATH = re.compile(r"([A-Za-z_]\w*(?:\.[A-Za-z_]\w*)*):([A-Za-z_]\w*)")  #
 MOST_NAMED, FIRST_NAMED = 32, 8  # a message lists up to 32 names; of more names the first 8
 LISTS = {  # word in a message -> word of `soccer list`
     "team": "teams", "scene": "scenes", "league": "leagues", "rule": "rules", "reward term": "rewards",
-    "claim": "claims",
+    "claim": "claims", "variation": "variations",
 }  # fmt: skip
 Made = tuple[Callable[..., Any], tuple[Any, ...]]  # result of __reduce__
 

@@ -29,6 +29,7 @@ from soccer_env.match.step import (
     finish_slice,
     step_slice,
 )
+from soccer_env.match.variation import Variation, vary_league
 from soccer_env.observations.belief import observe_belief_slice
 from soccer_env.observations.truth import observe_slice
 from soccer_env.perception.ideal import believe_truth_slice
@@ -60,6 +61,11 @@ class MatchBatch:
         self.senses: Senses | None = None  # where a team or a learner uses its sensors
         self.physics = SpaceBatch(matches, robots + 1, backend)
         self.constants, self.weights = settings.constants(), settings.rewards.weights()
+        self.leagues = [league] * matches  # of the present episodes
+        self.factors: dict[str, np.ndarray] = {}  # (M,) by the names of the variation
+        if settings.variation is not None:  # after the league's own constants those of each match
+            self.constants = self.constants.repeat(1 + matches)
+            self.factors = {name: np.ones(matches) for name in settings.variation.plain}
         self._allocate_outcome(observed)
 
     def _allocate_outcome(self, observed: int) -> None:
@@ -116,18 +122,30 @@ class MatchBatch:
 
     def build_spaces(self, rows: Iterable[int]) -> None:
         """Rebuild the physics Spaces of the matches `rows` from their records; existing Spaces are reset and reused."""
-        used, league = [], self.settings.league
+        used, variation = [], self.settings.variation
         for m in rows:
-            if self.physics.reusable(m):
+            if variation is not None:
+                self._vary(m, variation)
+            if self.physics.reusable(m) and (variation is None or not variation.in_space):
                 used.append(m)
                 continue
             with SignalsHeld():
-                self.physics.set_space(m, build_space(league, self.balls[m], self.robots[m]))
-                self.physics.attach_solver(m, league, self.constants)
+                self.physics.set_space(m, build_space(self.leagues[m], self.balls[m], self.robots[m]))
+                self.physics.attach_solver(m, self.leagues[m], self.constants[m + 1 :] if variation else self.constants)
         if used:
             again = np.array(used, np.int64)
             write_poses_of_matches(self.balls, self.robots, self.physics.bodies, again)
             self.physics.put_back(again)
+
+    def _vary(self, m: int, variation: Variation) -> None:
+        """Give match m the numbers of its present episode."""
+        factors = variation.factors(self.matches[m])
+        for name, factor in factors.items():
+            self.factors[name][m] = factor
+        self.leagues[m] = league = vary_league(self.settings.league, factors)
+        self.constants[m + 1] = self.settings.constants(league)[0]
+        if self.senses is not None:
+            self.senses.vary(m, league)
 
     # One control step of a slice of matches
 

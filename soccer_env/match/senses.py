@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.belief.believing import BeliefArrays, MemoryNumbers
+from soccer_env.leagues.league import League
 from soccer_env.leagues.robot_kind import kind_of
 from soccer_env.match.settings import Settings
 from soccer_env.perception.ideal import tell_match_state
@@ -70,6 +71,8 @@ class Senses:
         self.asleep = np.zeros(matches, bool)  # over before this step: an ended match draws no noise
         self._make_arrays(beliefs, tracks)
         self.sensors, self.memory_settings = league.sensors.record(), league.memory.record()
+        if settings.variation is not None:  # after the league's own sensors those of each match
+            self.sensors = self.sensors.repeat(1 + matches)
         self.tables = self.kind.tables(league)
         pose_sensed = int(settings.pose == "percept")
         home = settings.rows[HOME]
@@ -106,6 +109,10 @@ class Senses:
             array[m] = np.zeros((), array.dtype)
         self.world.robots["senses"][m, self.rows] = 1
         self.asleep[m] = False
+
+    def vary(self, m: int, league: League) -> None:
+        """Give the robots of match m the sensors of a variation of the league."""
+        self.sensors[m + 1] = league.sensors.record()[0]
 
     def step(self, first: int, last: int) -> None:
         """Update the percepts and beliefs of a slice of matches."""

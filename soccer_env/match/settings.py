@@ -16,6 +16,7 @@ from soccer_env.leagues.constants import constants_of
 from soccer_env.leagues.league import League
 from soccer_env.leagues.rules import Rules, rule_set
 from soccer_env.match.arguments import FREE, MatchSettings, Senses, select_fields
+from soccer_env.match.variation import Variation, find_variation
 from soccer_env.observations import layout
 from soccer_env.observations.own import SideObservations, check_observe
 from soccer_env.rewards import Rewards, find_rewards
@@ -38,6 +39,7 @@ class Settings(MatchSettings):
         senses: tuple[str, str]  # of home, of away
         actions: ActionKind
         scene: Scene
+        variation: Variation | None
         rewards: Rewards
     padded: bool  # True: both teams have max_players rows, and the spare rows are inactive
 
@@ -92,9 +94,9 @@ class Settings(MatchSettings):
         least = min(limits, default=inf)
         return ceil(least / self.action_repeat) if isfinite(least) else None
 
-    def constants(self) -> np.ndarray:
-        """Return the league's constants (1,) as a record for compiled code."""
-        record = constants_of(self.league)
+    def constants(self, league: League | None = None) -> np.ndarray:
+        """Return the constants (1,) of the league, or of a variation of it, as a record for compiled code."""
+        record = constants_of(self.league if league is None else league)
         record["placement_by_driving"] = self.placement == "drive"
         record["end_at_goal"] = self.episode == "goal"
         if self.episode == "drill" and isinstance(self.scene.success, str):  # `user_code` calls success functions
@@ -112,6 +114,8 @@ class Settings(MatchSettings):
     def fingerprint(self) -> str:
         """Return a hash of all settings that determine a match's future."""
         relevant = {name: value for name, value in self.describe().items() if name not in FREE} | {"limit": self.limit}
+        if self.variation is None:  # as before there were variations
+            del relevant["variation"]
         return hashlib.sha256(json.dumps(relevant, sort_keys=True).encode()).hexdigest()[:16]
 
 
@@ -195,6 +199,7 @@ def make_settings(arguments: MatchSettings) -> Settings:
         "senses": check_senses(arguments.senses),
         "actions": arguments.actions if isinstance(arguments.actions, ActionKind) else ActionKind(arguments.actions),
         "scene": scene,
+        "variation": find_variation(arguments.variation, league),
         "rewards": find_rewards(arguments.rewards),
         "keeper": check_keeper(arguments.keeper, home, away),
     }

@@ -7,7 +7,7 @@ Between the two halves `physics.engine.chipmunk` steps the Spaces in the same co
 of a whole slice. Rewards come after the restart: goals are read from the events, and shaping uses the state that the
 next observation shows.
 
-`k`: the league's constants.
+`k`: the league's constants, under variation those of the match; `nominal`: the league's own.
 """
 
 from typing import NamedTuple
@@ -75,7 +75,7 @@ class StepOutcome(NamedTuple):
 class StepNumbers(NamedTuple):
     """The settings that a step needs, as arrays and plain numbers."""
 
-    constants: np.ndarray  # (1,) CONSTANTS
+    constants: np.ndarray  # (1,) CONSTANTS; under variation (1 + M,), first the league's own
     weights: np.ndarray  # (1,) WEIGHTS
     limit: int  # control steps after which an episode is truncated
     cuts: bool  # the final whistle truncates too, since learners do not observe the clock
@@ -88,13 +88,13 @@ def step_slice(links, world, physics, outcome, numbers, first, last):
     The whole step of a match runs before the next match begins, so that its records stay in the cache.
     """
     world, physics, outcome, numbers = to_named_tuples(world, physics, outcome, numbers)
-    k, weights = numbers.constants[0], numbers.weights[0]
+    nominal, weights = numbers.constants[0], numbers.weights[0]
     owned = make_scratch(world.robots.shape[1])
     before, scratch = borrow_arrays(owned)
     broken = -1
     for m in range(first, last):
         match, ball, robots = world.matches[m], world.balls[m], world.robots[m]
-        events, robot_events = world.events[m], world.robot_events[m]
+        events, robot_events, k = world.events[m], world.robot_events[m], constants_of_match(numbers, m)
         velocities, solver = physics.velocities[m], physics.solvers[m]
         terms, rewards = outcome.terms[m], outcome.rewards[m]
         prefetch_match(links, world.robots, outcome.statistics, m + 1)
@@ -105,7 +105,7 @@ def step_slice(links, world, physics, outcome, numbers, first, last):
             continue
         step_match(links, m, substeps, k.dt)
         result = finish_match(
-            match, ball, robots, events, robot_events, physics.bodies[m], velocities, solver, k, weights,
+            match, ball, robots, events, robot_events, physics.bodies[m], velocities, solver, k, nominal, weights,
             before, scratch, terms, rewards, outcome.observations[m], outcome.statistics[m], numbers.cuts,
         )  # fmt: skip
         if result == PUT_ELSEWHERE:
@@ -126,7 +126,7 @@ def begin_slice(world, physics, outcome, numbers, before, substeps, first, last)
     for m in range(first, last):
         substeps[m] = begin_match(
             world.matches[m], world.balls[m], world.robots[m], world.events[m], world.robot_events[m],
-            physics.velocities[m], physics.solvers[m], numbers.constants[0], numbers.weights[0],
+            physics.velocities[m], physics.solvers[m], constants_of_match(numbers, m), numbers.weights[0],
             before[m], outcome.terms[m], outcome.rewards[m],
         )  # fmt: skip
 
@@ -135,16 +135,16 @@ def begin_slice(world, physics, outcome, numbers, before, substeps, first, last)
 def finish_slice(world, physics, outcome, numbers, before, results, first, last):
     """Run the part of a step after the physics; `results` (M,): substeps at first, then results of `finish_match`."""
     world, physics, outcome, numbers = to_named_tuples(world, physics, outcome, numbers)
-    k, before = numbers.constants[0], borrow_arrays(before)
+    nominal, before = numbers.constants[0], borrow_arrays(before)
     owned = make_scratch(world.robots.shape[1])
     _, scratch = borrow_arrays(owned)
     for m in range(first, last):
         if results[m] == 0:
             continue
-        match = world.matches[m]
+        match, k = world.matches[m], constants_of_match(numbers, m)
         results[m] = finish_match(
             match, world.balls[m], world.robots[m], world.events[m], world.robot_events[m],
-            physics.bodies[m], physics.velocities[m], physics.solvers[m], k, numbers.weights[0],
+            physics.bodies[m], physics.velocities[m], physics.solvers[m], k, nominal, numbers.weights[0],
             before[m], scratch, outcome.terms[m], outcome.rewards[m], outcome.observations[m], outcome.statistics[m],
             numbers.cuts,
         )  # fmt: skip
@@ -184,7 +184,7 @@ def begin_match(
 
 @compiled
 def finish_match(
-    match, ball, robots, events, robot_events, bodies, velocities, solver, k, weights,
+    match, ball, robots, events, robot_events, bodies, velocities, solver, k, nominal, weights,
     before, scratch, terms, rewards, observations, tally, cuts,
 ):  # fmt: skip
     """Run one match's step after the physics; return GOES_ON, PUT_ELSEWHERE (bodies were moved) or BROKEN.
@@ -201,7 +201,7 @@ def finish_match(
         measure_potentials(match, ball, robots, k, weights, after)
     reward_robots(match, ball, robots, events, robot_events, k, before, after, weights, terms, rewards)
     if observations.shape[1] > 0:
-        observe_truth(match, ball, robots, observations, k, axes, rows, squares)
+        observe_truth(match, ball, robots, observations, nominal, axes, rows, squares)
     return PUT_ELSEWHERE if moved else GOES_ON
 
 
@@ -275,6 +275,12 @@ def make_scratch(robots):
     """Return working arrays: potentials before a step, and temporary arrays for `finish_match`."""
     rows, squares, touching = np.empty(MAX_TEAM, np.int64), np.empty(MAX_TEAM), np.empty(robots, np.int64)
     return np.empty(POTENTIALS), (np.empty(POTENTIALS), np.empty((robots, 2)), rows, squares, touching)
+
+
+@inlined
+def constants_of_match(numbers, m):
+    """Return the constants of match m: the league's own, or those of its present episode."""
+    return numbers.constants[m + 1 if len(numbers.constants) > 1 else 0]
 
 
 @inlined

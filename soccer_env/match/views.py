@@ -40,6 +40,11 @@ class Views:
         return self.batch.read_all()[1]
 
     @property
+    def variation(self) -> dict[str, np.ndarray]:
+        """Return by name the factors (M,) of the league's numbers in the present episodes; empty without variation."""
+        return self.batch.factors
+
+    @property
     def percepts(self) -> np.ndarray:
         """Return the percepts (M, R) of all robots; ValueError if no robot uses its sensors."""
         if self.batch.senses is None:

@@ -25,8 +25,8 @@ class SensorArrays(NamedTuple):
 class SensorNumbers(NamedTuple):
     """The constants and settings that the sensors read."""
 
-    constants: np.ndarray  # (1,) CONSTANTS
-    sensors: np.ndarray  # (1,) record of the league's sensors
+    constants: np.ndarray  # (1,) CONSTANTS; under variation (1 + M,), first the league's own
+    sensors: np.ndarray  # (1,) or (1 + M,) record of the league's sensors
     pose_sensed: int  # 1: robots get the noisy pose as a percept
 
 
@@ -42,16 +42,16 @@ def make_sensor_kernel(make_scratch: Callable[..., Any], sense_robot: Callable[.
         """Compute the percepts of some robots of a slice of matches; matches that are `asleep` (M,) stay unchanged."""
         world = World(*borrow_arrays(world))
         numbers = SensorNumbers(*borrow_arrays(numbers))
-        k, s = numbers.constants[0], numbers.sensors[0]
-        pose_sensed = numbers.pose_sensed
+        varied, pose_sensed = len(numbers.constants) > 1, numbers.pose_sensed
         percepts, states, pending = SensorArrays(*borrow_arrays(sensing))
-        owned = make_scratch(k, s)
+        owned = make_scratch(numbers.constants[0], numbers.sensors[0])
         scratch = borrow_arrays(owned)
         for m in range(first, last):
             if asleep[m]:
                 continue
             match, ball, robots = world.matches[m], world.balls[m], world.robots[m]
-            robot_events = world.robot_events[m]
+            robot_events, own = world.robot_events[m], m + 1 if varied else 0
+            k, s = numbers.constants[own], numbers.sensors[own]
             for r in rows:
                 percept = percepts[m, r]
                 state = states[m, r]

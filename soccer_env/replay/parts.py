@@ -51,10 +51,12 @@ def replay_settings(match: Match) -> dict[str, Any]:
     """Return the settings of a match that a replay needs."""
     settings, scene = match.settings, match.settings.scene
     success = scene.success if isinstance(scene.success, str) else "none"
+    ranges = settings.variation.plain if settings.variation is not None else {}
     playing = [squad for squad in match.squads if squad.plays is None or squad.plays[0]]  # the present team of a lineup
     return {
         "league": to_plain_types(settings.league),
         **{name: getattr(settings, name) for name in REPLAYED},
+        "variation": {name: both for name, both in ranges.items() if not name.startswith("sensors.")},
         "max_players": settings.max_players if settings.padded else None,
         "max_cycles": settings.max_cycles,
         "action_repeat": settings.action_repeat,

@@ -132,6 +132,7 @@ class Replay:
         try:
             scene = settings["scene"]
             wanted = {name: settings[name] for name in (*REPLAYED, "matches")}
+            wanted["variation"] = settings.get("variation")  # older replays have none
             wanted["league"] = rebuild_settings(League, settings["league"])
             wanted["scene"] = Scene(scene["name"], "replayed", None, scene["success"], float(scene["time_limit"]))
             check_start(self.start, wanted)

@@ -33,8 +33,8 @@ if TYPE_CHECKING:
 
 SUMMARIES = {
     "evaluate": "play one team against another, with intervals and a verdict",
-    "list": "print the leagues, teams, settings, scenes, observations, sensors, rules, actions, rewards, statistics or "
-    "claims",
+    "list": "print the leagues, teams, settings, scenes, observations, sensors, rules, actions, rewards, statistics, "
+    "claims or variations",
     "bench": "measure the speed against the bare physics",
     "export": "make a film, a browser page, pictures or tables from a replay file",
     "record": "play a match or a drill into a replay file",

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 What = Literal[
     "leagues", "teams", "settings", "scenes", "observations", "sensors", "rules", "actions", "rewards", "statistics",
-    "claims",
+    "claims", "variations",
 ]  # fmt: skip
 MIRRORED = {1: "", -1: "sign", None: "place"}  # by the mirror of an entry: what a left-right mirror changes
 
@@ -29,7 +29,7 @@ class ListSettings:
     what: tyro.conf.Positional[What]
     """What to list."""
     league: str = "legged-2001"
-    """League whose observations, sensors or rules are listed."""
+    """League whose observations, sensors, rules or variations are listed."""
     observe: Literal["truth", "percepts", "belief"] = "truth"
     """Source of the listed observations."""
     json: bool = False
@@ -76,9 +76,23 @@ def list_tables(settings: ListSettings) -> Iterator[Table]:
     }
     if what == "observations":
         return observations(settings.league, settings.observe)
-    if what in ("sensors", "rules"):
-        return {"sensors": sensors, "rules": rules}[what](settings.league)
+    if what in ("sensors", "rules", "variations"):
+        return {"sensors": sensors, "rules": rules, "variations": variations}[what](settings.league)
     return lists[what]()
+
+
+def variations(league: str) -> Iterator[Table]:
+    """Yield the table of a league's numbers that `variation=` can multiply."""
+    from functools import reduce
+
+    from soccer_env.leagues import find_league
+    from soccer_env.match.variation import names_of
+
+    played = find_league(league)
+    rows = [(name, f"{reduce(getattr, name.split('.'), played):g}") for name in names_of(played)]
+    yield Table(
+        f"Numbers of {played.name} that can vary: --variation NAME=LOW:HIGH", ("name", "usual"), rows
+    )
 
 
 def leagues() -> Iterator[Table]:

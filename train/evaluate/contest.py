@@ -25,6 +25,7 @@ from soccer_env.teams.function_teams import FunctionTeam
 from soccer_env.train.evaluate.results import MatchLine
 from soccer_env.train.evaluate.settings import SIDES, Conditions, EvaluateSettings
 from soccer_env.train.evaluate.statistics import match_statistics
+from soccer_env.train.written_settings import split_variation
 
 BATCH = 32  # matches side by side for each thread; more gain little, and a run that is killed loses the batch
 REPORT_EVERY = 50  # steps between two updates of the progress bar
@@ -55,6 +56,7 @@ class Contest:
             seeds=np.array(seeds, np.uint64), senses=dict(zip(SIDES, senses, strict=True)), pose=conditions.pose,
             controllers=dict(zip(SIDES, teams, strict=True)), scene=conditions.scene, rules=conditions.rules,
             placement=conditions.placement, minutes=conditions.minutes,
+            variation=split_variation(conditions.variation),
         )  # fmt: skip
 
 

@@ -96,6 +96,7 @@ def conditions_rows(result: EvaluationResult, about: dict[str, str]) -> list[tup
         ("senses, pose", f"{conditions.senses_text}, {conditions.pose}"),
         *((f"{name} was trained with", setting) for name, setting in result.trained.items()),
         ("scene, rules, placement", f"{conditions.scene}, {conditions.rules}, {conditions.placement}"),
+        *([("variation", conditions.variation)] if conditions.variation else []),
         ("seed", f"{conditions.seed}"),
         ("begun, commit", f"{about.get('date', '')}, {about.get('commit') or 'none'}"),
         ("settings hash", result.lines[0].settings),

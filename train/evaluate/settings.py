@@ -13,11 +13,20 @@ from soccer_env.guards.checking import SHARE, Range
 from soccer_env.leagues.league import League
 from soccer_env.match.arguments import Placement, Pose
 from soccer_env.train.evaluate.replays.choice import Keep
-from soccer_env.train.written_settings import POSES, SENSING, CommandSettings, command_line, split_players, split_senses
+from soccer_env.train.written_settings import (
+    POSES,
+    SENSING,
+    CommandSettings,
+    command_line,
+    split_players,
+    split_senses,
+    split_variation,
+)
 
 SIDES = ("home", "away")
 FULL = "full"  # minutes: the league's own length of a match
 ALL, PAIRS = "all", 5  # values of --pairs: every finished pair; the default
+CONDITIONS = ("home", "away", "matches", "seed", "scene", "rules", "variation")  # as the settings say
 RECHECKED = ("recheck", "pairs", "seed", "threads", "home", "away", "league", "scene", "json")  # usable with --recheck
 
 
@@ -72,6 +81,8 @@ class EvaluateSettings(CommandSettings):
     """Rule set: league, simple or none; league:pushing=False,holding_time=5 changes single rules."""
     placement: Literal["instant", "drive"] | None = None
     """How robots reach their places at a restart; leave out for the league's default: drive in the middle size."""
+    variation: str = ""
+    """Numbers of the league that differ from match to match, as factors: kicker.fastest=0.8:1.2,drive.delay=2."""
     out: Path | None = None
     """Folder for matches.jsonl, result.json, report.md and report.html; leave out to write no files."""
     anew: bool = False
@@ -107,6 +118,7 @@ class EvaluateSettings(CommandSettings):
         if (Keep(self.keep).kinds_in_order or self.keep_pages) and self.out is None:
             raise ValueError("replays are kept in a folder: give out as well")
         split_senses(SENSING if self.senses is None else self.senses)
+        split_variation(self.variation)
 
 
 @dataclass(frozen=True)
@@ -125,6 +137,7 @@ class Conditions:
     scene: str
     rules: str
     placement: Placement
+    variation: str = ""
 
     @property
     def sizes(self) -> str:
@@ -166,5 +179,5 @@ def conditions_of(settings: EvaluateSettings, league: League) -> Conditions:
         senses=split_senses(SENSING if settings.senses is None else settings.senses),
         pose=settings.pose or POSES[0],
         placement=settings.placement or league.evaluation_placement,
-        **{name: getattr(settings, name) for name in ("home", "away", "matches", "seed", "scene", "rules")},
+        **{name: getattr(settings, name) for name in CONDITIONS},
     )

@@ -29,6 +29,7 @@ from soccer_env.train.ppo.settings import TrainSettings, command_of, senses_of
 from soccer_env.train.ppo.stages import Sizes
 from soccer_env.train.ppo.vec_env import SoccerVecEnv
 from soccer_env.train.provenance import commit, version_of
+from soccer_env.train.written_settings import split_variation
 
 TRAINING_SEED = 3_000_017  # added to the run's seed: a policy is not evaluated on matches that it was trained on
 
@@ -159,5 +160,5 @@ def make_matches(settings: TrainSettings, curriculum: Curriculum, sizes: Sequenc
         rewards=settings.paid, gamma=settings.gamma, state=settings.critic_room, stagger=True,
         seed=settings.seed + TRAINING_SEED, threads=settings.threads, observe=settings.observe,
         senses=senses_of(settings.senses), pose=settings.pose, minutes=2.0 * settings.minutes,
-        max_cycles=max(decisions - 1, 1),
+        max_cycles=max(decisions - 1, 1), variation=split_variation(settings.variation),
     )  # fmt: skip

@@ -96,6 +96,8 @@ class PlainSettings:
     pose: Literal["particles", "percept"] = "percept"
     """How robots with sensors know where they are: by a particle filter, or by a given noisy pose (percept), which is
     faster."""
+    variation: str = ""
+    """Numbers of the league that differ from episode to episode, as factors: kicker.fastest=0.8:1.2,drive.delay=2."""
     start: str = ""
     """Policy file of the same shape to start from instead of imitating the teacher, or the folder of another run, whose
     critic and noise are taken over too; "" for none."""

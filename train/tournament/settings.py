@@ -16,7 +16,8 @@ from soccer_env.types import MAX_TEAM
 PAIRINGS = "pairings"  # the folder of all pairings in the folder of a tournament
 FREE = ("matches", "threads", "out", "add", "keep", "keep_pages", "half_width", "json")  # usable without --teams
 SHARED = (  # with the evaluation of a pairing
-    "league", "matches", "minutes", "players", "seed", "threads", "senses", "pose", "rules", "keep", "keep_pages",
+    "league", "matches", "minutes", "players", "seed", "threads", "senses", "pose", "rules", "variation", "keep",
+    "keep_pages",
 )  # fmt: skip
 
 
@@ -74,6 +75,8 @@ class TournamentSettings(CommandSettings):
     for particles; a policy that was trained with percept is then refused."""
     rules: str = "league"
     """Rule set: league, simple or none; league:pushing=False,holding_time=5 changes single rules."""
+    variation: str = ""
+    """Numbers of the league that differ from match to match, as factors: kicker.fastest=0.8:1.2,drive.delay=2."""
     anew: bool = False
     """Start afresh: remove the files of an earlier tournament from --out."""
     keep: str = ""
@@ -141,7 +144,7 @@ def conditions_of(settings: TournamentSettings, pairing: Conditions) -> dict[str
         "teams": list(settings.names), "system": settings.system, "rounds": settings.rounds,
         "matches": settings.matches, "league": pairing.league, "minutes": pairing.minutes,
         "players": pairing.players[0], "seed": settings.seed, "senses": pairing.senses[0], "pose": pairing.pose,
-        "rules": settings.rules,
+        "rules": settings.rules, "variation": settings.variation,
     }  # fmt: skip
 
 

@@ -1,0 +1,122 @@
+"""Variation: factors of a league's numbers, drawn for each episode from the match's own seed."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from soccer_env import Match, soccer_v0
+from soccer_env.leagues import find_league
+from soccer_env.match.variation import names_of
+from soccer_env.replay import Recorder, Replay
+
+KICK = {"kicker.fastest": (0.6, 1.4)}
+MANY = {
+    "ball.mass": (0.5, 2.0), "materials.ball_robot.elasticity": (0.5, 1.5), "drive.forward": (0.7, 1.3),
+    "drive.delay": (0.0, 2.0), "sensors.ball_miss": (0.0, 5.0), **KICK,
+}  # fmt: skip
+
+
+def make(league: str = "middle-size-2006", **settings: Any) -> Match:
+    return Match(league, home=2, away=2, controllers={"home": "chaser", "away": "chaser"}, **{"seed": 3} | settings)
+
+
+def play(match: Match, steps: int = 150) -> str:
+    for _ in range(steps):
+        match.step(None)
+    return match.state_hash()
+
+
+@pytest.mark.parametrize("league", ["legged-2001", "middle-size-2006"])
+def test_each_match_draws_its_own_factors_from_its_seed(league: str) -> None:
+    match, again = (make(league, matches=6, variation=MANY) for _ in range(2))
+    for name, (low, high) in MANY.items():
+        factors = match.variation[name]
+        assert low <= factors.min() < factors.max() <= high
+        assert (factors == again.variation[name]).all()
+    before = {name: factors.copy() for name, factors in match.variation.items()}
+    match.reset()
+    assert all((before[name] != factors).all() for name, factors in match.variation.items())
+
+
+def test_factor_one_is_the_league_itself() -> None:
+    ones = dict.fromkeys(MANY, (1.0, 1.0))
+    assert play(make(matches=3, variation=ones)) == play(make(matches=3))
+    assert play(make(matches=3, variation={})) == play(make(matches=3))
+
+
+@pytest.mark.parametrize("name", MANY)
+def test_each_number_changes_play(name: str) -> None:
+    high = {name: (MANY[name][1],) * 2}
+    assert play(make(matches=2, variation=high), 400) != play(make(matches=2), 400)
+
+
+def test_threads_backends_and_row_of_the_match_change_nothing() -> None:
+    seeds = np.arange(4, dtype=np.uint64)
+    hashes = {
+        play(make(matches=4, seed=None, seeds=seeds, variation=MANY, **settings))
+        for settings in ({}, {"threads": 2}, {"backend": "batch"})
+    }
+    assert len(hashes) == 1
+    alone = make(matches=1, seed=None, seeds=seeds[2:3], variation=MANY)
+    together = make(matches=4, seed=None, seeds=seeds, variation=MANY)
+    play(alone), play(together)
+    assert alone.balls[0].tobytes() == together.balls[2].tobytes()
+
+
+def test_a_save_goes_on_with_the_numbers_of_its_episode() -> None:
+    match, other = make(matches=3, variation=MANY), make(matches=3, variation=MANY)
+    play(match)
+    other.reset(seed=99)
+    other.load(match.save())
+    assert all((other.variation[name] == factors).all() for name, factors in match.variation.items())
+    assert play(other) == play(match)
+    with pytest.raises(ValueError, match="variation"):
+        make(matches=3).load(match.save())
+
+
+def test_a_replay_repeats_the_variation(tmp_path: Any) -> None:
+    match = make(matches=2, variation=MANY)
+    recorder = Recorder(match)
+    play(match, 100)
+    path = recorder.stop().write(tmp_path / "varied.replay")
+    assert Replay.read(path).check() == 100
+
+
+def test_infos_tell_the_factors() -> None:
+    env = soccer_v0.parallel_env(league="middle-size-2006", home=1, away=1, variation=KICK)
+    _, infos = env.reset(seed=5)
+    factor = infos["home_0"]["variation_kicker.fastest"]
+    assert 0.6 <= factor <= 1.4
+    assert factor == env.unwrapped.match.variation["kicker.fastest"][0]
+
+
+def test_observations_do_not_show_the_factors() -> None:
+    fast = make(observe="truth", variation={"drive.forward": (1.0, 1.0)})
+    slow = make(observe="truth", variation={"drive.forward": (0.5, 0.5)})
+    assert (fast.batch.observations == slow.batch.observations).all()
+
+
+@pytest.mark.parametrize(
+    ("variation", "words"),
+    [
+        ({"ball.mas": (0.5, 1.0)}, "did you mean 'ball.mass'"),
+        ({"pitch.length": (0.5, 1.0)}, "unknown variation"),
+        ({"ball.mass": 2.0}, "two factors, low and high"),
+        ({"ball.mass": (2.0, 1.0)}, "the lower first"),
+        ({"ball.mass": (float("nan"), 1.0)}, "the lower first"),
+        ({"ball.mass": (0.0, 1.0)}, "out of the league's ranges"),
+        ({"sensors.ball_miss": (0.0, 500.0)}, "out of the league's ranges"),
+        ("ball.mass", "a mapping of names"),
+    ],
+)
+def test_wrong_variations_say_what_exists(variation: Any, words: str) -> None:
+    with pytest.raises(ValueError, match=words):
+        make(variation=variation)
+
+
+def test_all_names_can_vary_a_little() -> None:
+    for league in ("legged-2001", "middle-size-2006"):
+        names = names_of(find_league(league))
+        assert len(names) >= 40
+        play(make(league, matches=2, variation=dict.fromkeys(names, (0.99, 1.01))), 20)
