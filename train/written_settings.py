@@ -52,6 +52,8 @@ def split_variation(text: str) -> dict[str, tuple[float, float]]:
     ranges: dict[str, tuple[float, float]] = {}
     for part in text.split(",") if text else ():
         name, _, both = part.strip().partition("=")
+        if name in ranges:
+            raise ValueError(f"variation names {name} twice, in {text!r}")
         low, colon, high = both.partition(":")
         try:
             ranges[name] = float(low), float(high if colon else low)

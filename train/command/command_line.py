@@ -19,6 +19,7 @@ from soccer_env.train.command.match_commands import (
     run_export,
     run_record,
     run_replay,
+    run_sweep,
     run_tournament,
     run_watch,
 )
@@ -137,6 +138,8 @@ def run_evaluate(words: list[str]) -> int:
     settings = read_settings(EvaluateSettings, words, "evaluate")
     if settings.recheck is not None:
         return recheck_sample(settings, {word[2:].partition("=")[0] for word in words if word.startswith("--")})
+    if settings.sweep:
+        return run_sweep(settings)
     from soccer_env.train.command.compiling_beside import compile_step_beside
     from soccer_env.train.evaluate.evaluation import evaluate
     from soccer_env.train.evaluate.report import screen_tables

@@ -90,9 +90,7 @@ def variations(league: str) -> Iterator[Table]:
 
     played = find_league(league)
     rows = [(name, f"{reduce(getattr, name.split('.'), played):g}") for name in names_of(played)]
-    yield Table(
-        f"Numbers of {played.name} that can vary: --variation NAME=LOW:HIGH", ("name", "usual"), rows
-    )
+    yield Table(f"Numbers of {played.name} that can vary: --variation NAME=LOW:HIGH", ("name", "usual"), rows)
 
 
 def leagues() -> Iterator[Table]:

@@ -36,6 +36,23 @@ def run_tournament(words: list[str]) -> int:
     return 0
 
 
+def run_sweep(settings: EvaluateSettings) -> int:
+    """Run `soccer evaluate --sweep`."""
+    from soccer_env.train.command.compiling_beside import compile_step_beside
+    from soccer_env.train.command.listing import Table
+    from soccer_env.train.evaluate.sweeping import sweep, sweep_table
+
+    with compile_step_beside():
+        points = sweep(settings)
+    if settings.json:
+        print_json([point.as_dict() for point in points])
+        return 0
+    heads, rows = sweep_table(points)
+    console().print(Table(f"{settings.sweep}, against {settings.away}", heads, rows).drawn())
+    print_written_files(settings.out, "sweep.json", "sweep.png")
+    return 0
+
+
 def run_record(words: list[str]) -> int:
     """Run `soccer record`."""
     from soccer_env.train.evaluate.play_settings import RecordSettings

@@ -64,6 +64,10 @@ def prepare_evaluation(
     """Return the contest and what its result depends on; every error that it could have is raised here."""
     if settings.recheck is not None:
         raise ValueError("recheck is a flag of the command; in Python recheck(folder) of soccer_env.train.evaluate")
+    if settings.sweep:
+        raise ValueError(
+            "a sweep is several evaluations: sweep(settings) of soccer_env.train.evaluate.sweeping plays it"
+        )
     league = league or find_league(settings.league)
     contest = contest_of(conditions_of(settings, league), league, teams)
     check_training_conditions(contest, settings)
