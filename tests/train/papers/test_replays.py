@@ -59,7 +59,7 @@ def test_other_samples_are_found_unless_the_batch_is_too_long_or_of_another_mach
     (told,) = changed_rows({"A1": row}, other)
     assert told.startswith("A1: its first batch has other samples")
     assert changed_rows({"A1": row}, other, longest=1.0) == [], "a batch of the claim takes 3 s"
-    for name in ("machine", "world", "numba"):
+    for name in ("machine", "world", "pymunk"):
         assert changed_rows({"A1": row | {"about": row["about"] | {name: "x"}}}, other) == []
 
 

@@ -14,13 +14,12 @@ from soccer_env.train.files import read_lines
 from soccer_env.train.pages.tables.teams import crosstable, goals_of, row_of, row_settings
 
 TEAM = "learned"
-MATCHES = 200
+MATCHES = 100
 MINUTES = 4.0
-HELD_OUT = 2  # seed of these evaluations: the policy was trained with other seeds
+HELD_OUT = 2  # seed of these evaluations: the policies were trained with other seeds
 LONG = 10.0  # [min] of the match against the chaser
-LEAGUE, SMOOTH = "legged-2001", "legged-2001-smooth"
+LEAGUE = "legged-2001"
 TEAMS = ("chaser", "sacks-2001", "sacks-2001-tuned")
-LADDER = ("sacks-2001@0.25", "sacks-2001@0.5", "sacks-2001@0.75")
 CLEAN = ("goals_clean_kick_for", "goals_clean_dribble_for")
 WHISTLES = "fouls_"
 WHISTLED = "whistles a match in the matches against `chaser`, it : them"
@@ -28,23 +27,10 @@ WHISTLED = "whistles a match in the matches against `chaser`, it : them"
 
 def learned_rows() -> Iterator[EvaluateSettings]:
     """Yield the settings of the learned team's evaluations, first the long one against the chaser."""
-    yield learned_row("chaser", 3, minutes=LONG)
-    for players in (3, 2, 1):
-        yield from (learned_row(away, players) for away in (*TEAMS, "random"))
-    yield from (learned_row(away, 3) for away in LADDER)
-    yield from (learned_row(away, players) for players in ("1v3", "3v1", 5) for away in TEAMS)
-    yield from (learned_row(away, players, senses="ideal") for players in (3, 2, 1) for away in TEAMS[:2])
-    yield from (learned_row(away, 3, league=SMOOTH) for away in TEAMS[:2])
-    yield from (learned_row(away, 3, rules="none") for away in TEAMS[:2])
-
-
-def learned_row(
-    away: str, players: int | str, *, league: str = LEAGUE, senses: str = "sensors", minutes: float = MINUTES,
-    rules: str = "league",
-) -> EvaluateSettings:  # fmt: skip
-    """Return the settings of the evaluation behind one row."""
-    settings = row_settings(league, TEAM, away, senses, MATCHES, minutes, players, HELD_OUT)
-    return replace(settings, rules=rules)
+    yield row_settings(LEAGUE, TEAM, "chaser", "sensors", MATCHES, LONG, 3, HELD_OUT)
+    for players in (3, 2, 1, 5, "1v3"):
+        for away in TEAMS:
+            yield row_settings(LEAGUE, TEAM, away, "sensors", MATCHES, MINUTES, players, HELD_OUT)
 
 
 def measure_learned(evaluations: Iterable[EvaluateSettings]) -> dict[str, Any]:
@@ -71,28 +57,21 @@ def whistles_and_goals(statistics: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def learned_table(table: dict[str, Any]) -> str:
-    """Return the table of the learned team in Markdown: a row for each kind of match, a column for each opponent."""
-    rows = [row for row in table["rows"] if row["away"] not in LADDER]
-    cells = {(match_kind(row), f"`{row['away']}`"): goals_of(row) for row in rows}
-    for row in rows:
+    """Return the table of a learned team in Markdown: a row for each kind of match, a column for each opponent."""
+    cells, usual = {}, table["rows"][-1]["minutes"]
+    for row in table["rows"]:
+        sizes = row["players"] if isinstance(row["players"], str) else f"{row['players']}v{row['players']}"
+        kind = ", ".join([sizes, *[f"{row['minutes']:g} minutes"] * (row["minutes"] != usual)])
+        cells[kind, f"`{row['away']}`"] = f"{goals_of(row)}, {100.0 * row['points']['mean']:.0f} %"
         if row["away"] == "chaser":
-            whistles = " : ".join(f"{number / row['matches']:.2f}" for number in row["whistles"])
-            cells[match_kind(row), WHISTLED] = whistles
-    ladder = [f"`{row['away']}` {goals_of(row)}" for row in table["rows"] if row["away"] in LADDER]
-    weaker = [f"Against weaker teams at 3v3: {', '.join(ladder)}."] if ladder else []
-    shown = f"Goal difference a match in {MATCHES} matches a cell, of {MINUTES:g} minutes unless a row says otherwise."
-    command = f"Command of a cell: `{table['rows'][0]['command']}`"
-    return "\n".join([crosstable("players", cells), "", shown, *weaker, command])
-
-
-def match_kind(row: dict[str, Any]) -> str:
-    """Return the kind of a match in words: the team sizes, and every setting that is not the usual one."""
-    sizes = row["players"] if isinstance(row["players"], str) else f"{row['players']}v{row['players']}"
-    unusual = [f"{row['minutes']:g} minutes"] * (row["minutes"] != MINUTES)
-    unusual += ["ideal senses"] * (row["senses"] == "ideal")
-    unusual += [f"rules {row['rules']}"] * (row["rules"] != "league")
-    unusual += [f"`{row['league']}`"] * (row["league"] != LEAGUE)
-    return ", ".join([sizes, *unusual])
+            clean, goals = row["clean_goals"]
+            cells[kind, "clean goals, of all"] = f"{clean:.0f} of {goals:.0f}"
+            cells[kind, WHISTLED] = " : ".join(f"{number / row['matches']:.1f}" for number in row["whistles"])
+    shown = (
+        f"Goal difference a match and share of the points, in {table['rows'][0]['matches']} matches a cell, of "
+        f"{usual:g} minutes unless a row says otherwise."
+    )
+    return "\n".join([crosstable("players", cells), "", shown, f"Command of a cell: `{table['rows'][0]['command']}`"])
 
 
 # The learned team of the middle size
@@ -108,20 +87,6 @@ def learned_2006_rows() -> Iterator[EvaluateSettings]:
         for away in TEAMS_2006:
             settings = row_settings(MIDDLE, TEAM_2006, away, "sensors", MATCHES_2006, WHOLE, players, HELD_OUT)
             yield replace(settings, pose="particles")  # it was trained with the cheaper "percept"
-
-
-def learned_2006_table(table: dict[str, Any]) -> str:
-    """Return its table in Markdown: a row for each team size, a column for each opponent."""
-    cells = {}
-    for row in table["rows"]:
-        size, away = f"{row['players']}v{row['players']}", f"`{row['away']}`"
-        cells[size, away] = f"{goals_of(row)}, {100.0 * row['points']['mean']:.0f} %"
-        if row["away"] == TEAMS_2006[0]:
-            clean, goals = row["clean_goals"]
-            cells[size, "clean goals, of all"] = f"{clean:.0f} of {goals:.0f}"
-            cells[size, WHISTLED] = " : ".join(f"{number / row['matches']:.1f}" for number in row["whistles"])
-    shown = f"Goal difference a match and share of the points, in {MATCHES_2006} matches of half an hour a cell."
-    return "\n".join([crosstable("players", cells), "", shown, f"Command of a cell: `{table['rows'][0]['command']}`"])
 
 
 # The reference run: the speed of training, and the time of its stages

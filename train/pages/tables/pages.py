@@ -28,7 +28,6 @@ from soccer_env.train.pages.tables.headlines import headlines_table
 from soccer_env.train.pages.tables.ladder import ladder_table, measure_ladder
 from soccer_env.train.pages.tables.learned import (
     learned_2006_rows,
-    learned_2006_table,
     learned_rows,
     learned_table,
     measure_learned,
@@ -121,7 +120,7 @@ TABLES = {
     "drills": PageTable("baselines/README.md", measure_drills, drills_table),
     "learned": PageTable("agents/policies/README.md", lambda: measure_learned(learned_rows()), learned_table),
     "learned_2006": PageTable(
-        "agents/policies/learned-2006.md", lambda: measure_learned(learned_2006_rows()), learned_2006_table
+        "agents/policies/learned-2006.md", lambda: measure_learned(learned_2006_rows()), learned_table
     ),
     "training": PageTable("train/MEASURED.md", measure_training, training_table),
     "speed": PageTable("train/MEASURED.md", measure_speed, speed_table),
