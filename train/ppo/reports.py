@@ -181,7 +181,7 @@ def curve_of(evaluations: Sequence[dict[str, Any]], settings: TrainSettings) -> 
                 "high": [part["high"] for part in found],
             }
         )
-    title = f"{settings.name}: {settings.league}, {settings.players}, seed {settings.seed}"
+    title = f"{settings.name}: {settings.league}, seed {settings.seed}"
     matches = f"{settings.evaluate_matches} matches of {settings.evaluate_minutes:g} min"
     return {
         "title": title, "x_label": f"decisions{words}", "y_label": f"goals - goals against, a match\n({matches})",
