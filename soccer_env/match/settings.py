@@ -114,8 +114,8 @@ class Settings(MatchSettings):
     def fingerprint(self) -> str:
         """Return a hash of all settings that determine a match's future."""
         relevant = {name: value for name, value in self.describe().items() if name not in FREE} | {"limit": self.limit}
-        if self.variation is None:  # as before there were variations
-            del relevant["variation"]
+        if self.variation is None:
+            relevant.pop("variation", None)  # as before there were variations
         return hashlib.sha256(json.dumps(relevant, sort_keys=True).encode()).hexdigest()[:16]
 
 

@@ -156,12 +156,8 @@ def finish_slice(world, physics, outcome, numbers, before, results, first, last)
 @compiled
 def to_named_tuples(world, physics, outcome, numbers):
     """Convert plain tuples of arrays to named tuples, without copying the arrays."""
-    world, physics, outcome, numbers = (
-        borrow_arrays(world),
-        borrow_arrays(physics),
-        borrow_arrays(outcome),
-        borrow_arrays(numbers),
-    )
+    world, physics = borrow_arrays(world), borrow_arrays(physics)
+    outcome, numbers = borrow_arrays(outcome), borrow_arrays(numbers)
     return World(*world), PhysicsArrays(*physics), StepOutcome(*outcome), StepNumbers(*numbers)
 
 

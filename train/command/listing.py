@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, fields
+from functools import reduce
 from math import isfinite
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -65,15 +66,9 @@ def list_tables(settings: ListSettings) -> Iterator[Table]:
     """Yield the tables that `settings.what` asks for."""
     what = settings.what
     lists: dict[str, Callable[[], Iterator[Table]]] = {
-        "leagues": leagues,
-        "teams": teams,
-        "settings": settings_of_teams,
-        "scenes": scenes,
-        "actions": actions,
-        "rewards": rewards,
-        "statistics": statistics,
-        "claims": claims,
-    }
+        "leagues": leagues, "teams": teams, "settings": settings_of_teams, "scenes": scenes, "actions": actions,
+        "rewards": rewards, "statistics": statistics, "claims": claims,
+    }  # fmt: skip
     if what == "observations":
         return observations(settings.league, settings.observe)
     if what in ("sensors", "rules", "variations"):
@@ -83,8 +78,6 @@ def list_tables(settings: ListSettings) -> Iterator[Table]:
 
 def variations(league: str) -> Iterator[Table]:
     """Yield the table of a league's numbers that `variation=` can multiply."""
-    from functools import reduce
-
     from soccer_env.leagues import find_league
     from soccer_env.match.variation import names_of
 
@@ -294,14 +287,9 @@ def claims() -> Iterator[Table]:
     from soccer_env.train.papers.results import rules_in_words
 
     rows = [
-        (
-            x.id,
-            x.statement,
-            f"{x.paper}, {x.section}".rstrip(", "),
-            rules_in_words(x.rules),
-            "\n".join(c.text for c in x.criteria if c.decides),
-        )
+        (x.id, x.statement, f"{x.paper}, {x.section}".rstrip(", "), rules_in_words(x.rules),
+         "\n".join(c.text for c in x.criteria if c.decides))
         for x in all_claims().values()
-    ]
+    ]  # fmt: skip
     title = f"Claims; rules: of whole matches (`soccer reproduce --rules`), staged: {PATIENT}"
     yield Table(title, ("id", "what the paper says", "where", "rules", "counts as reproduced"), rows)

@@ -40,7 +40,7 @@ def run_sweep(settings: EvaluateSettings) -> int:
     """Run `soccer evaluate --sweep`."""
     from soccer_env.train.command.compiling_beside import compile_step_beside
     from soccer_env.train.command.listing import Table
-    from soccer_env.train.evaluate.sweeping import sweep, sweep_table
+    from soccer_env.train.tournament.sweeping import sweep, sweep_table
 
     with compile_step_beside():
         points = sweep(settings)

@@ -66,7 +66,7 @@ def prepare_evaluation(
         raise ValueError("recheck is a flag of the command; in Python recheck(folder) of soccer_env.train.evaluate")
     if settings.sweep:
         raise ValueError(
-            "a sweep is several evaluations: sweep(settings) of soccer_env.train.evaluate.sweeping plays it"
+            "a sweep is several evaluations: sweep(settings) of soccer_env.train.tournament.sweeping plays it"
         )
     league = league or find_league(settings.league)
     contest = contest_of(conditions_of(settings, league), league, teams)

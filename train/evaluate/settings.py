@@ -81,15 +81,15 @@ class EvaluateSettings(CommandSettings):
     """Rule set: league, simple or none; league:pushing=False,holding_time=5 changes single rules."""
     placement: Literal["instant", "drive"] | None = None
     """How robots reach their places at a restart; leave out for the league's default: drive in the middle size."""
+    out: Path | None = None
+    """Folder for matches.jsonl, result.json, report.md and report.html; leave out to write no files."""
+    anew: bool = False
+    """Start afresh: remove the files of an earlier evaluation from --out."""
     variation: str = ""
     """Numbers of the league that differ from match to match, as factors: kicker.fastest=0.8:1.2,drive.delay=2."""
     sweep: str = ""
     """One such factor from value to value, as kicker.fastest=0.5:1.5:5: a curve of the points with intervals, for each
     team in --home, separated by commas. `soccer list variations` names the numbers."""
-    out: Path | None = None
-    """Folder for matches.jsonl, result.json, report.md and report.html; leave out to write no files."""
-    anew: bool = False
-    """Start afresh: remove the files of an earlier evaluation from --out."""
     keep: str = ""
     """Replays to keep in --out, separated by commas: best, worst (for --home), goals (a clip of every goal)."""
     keep_pages: bool = False

@@ -9,6 +9,7 @@ systems.py     who meets whom: round robin, Swiss, knock-out
 playing.py     `tournament`: play the pairings that a folder lacks
 ratings.py     openskill and Elo ratings with intervals, and who is above whom
 results.py     the result: standings, ratings, pairings
+sweeping.py    `soccer evaluate --sweep`: evaluations over a number of the league
 report.py      the result as a page for the browser, and on the screen
 """
 

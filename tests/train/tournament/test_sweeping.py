@@ -8,7 +8,7 @@ import pytest
 
 from soccer_env.train.command.command_line import main
 from soccer_env.train.evaluate import EvaluateSettings, evaluate
-from soccer_env.train.evaluate.sweeping import split_sweep, sweep
+from soccer_env.train.tournament.sweeping import split_sweep, sweep
 
 SHORT: dict[str, Any] = {"away": "still", "players": 1, "matches": 2, "minutes": 0.1}
 
