@@ -138,9 +138,15 @@ def run_evaluate(words: list[str]) -> int:
     if settings.recheck is not None:
         return recheck_sample(settings, {word[2:].partition("=")[0] for word in words if word.startswith("--")})
     from soccer_env.train.command.compiling_beside import compile_step_beside
+    from soccer_env.train.evaluate.drills import chosen_drills, evaluate_drills
     from soccer_env.train.evaluate.evaluation import evaluate
-    from soccer_env.train.evaluate.report import screen_tables
+    from soccer_env.train.evaluate.report import screen_tables, table_of_drills
 
+    if chosen_drills(settings.scene, settings.league):
+        with compile_step_beside():
+            results = evaluate_drills(settings)
+        print_json([row.as_dict() for row in results]) if settings.json else console().print(table_of_drills(results))
+        return 0
     with compile_step_beside():
         result = evaluate(settings)
     if settings.json:

@@ -3,8 +3,8 @@
 from soccer_env.scenes import SCENES
 from soccer_env.teams import make_team
 from soccer_env.train.casting import controllers_of
-from soccer_env.train.evaluate.drills import run_drill
-from soccer_env.train.pages.tables.drills import TEAMS, drills_of, drills_table
+from soccer_env.train.evaluate.drills import drills_of, run_drill
+from soccer_env.train.pages.tables.drills import TEAMS, drills_table
 
 
 def test_every_drill_is_played_in_every_league_that_it_is_for() -> None:
