@@ -109,8 +109,8 @@ def place_attacker(league: League, ball: Any, robots: Any, draw: SceneRandom) ->
 
 def place_kick_off(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
     """Place home's last robot behind the ball on the centre spot; all others keep their places of a kick-off."""
-    back = league.body.front + league.ball.radius + draw.between(0.02, 0.05) * league.pitch.length
-    way = draw.between(-0.8, 0.8)
+    back = league.body.front + league.ball.radius + draw.between(0.01, 0.02) * league.pitch.length
+    way = draw.between(-0.3, 0.3)
     put_robot(robots[last_row(robots, HOME)], -back * cos(way), -back * sin(way), way + draw.between(-0.2, 0.2))
 
 
@@ -125,7 +125,7 @@ DRILLS = (
     ),  # fmt: skip
     Scene("shot-at-keeper", "a shot on target at away's goalkeeper", place_shot, "away saves", 10.0, in_play=True),
     Scene("empty-goal-far", "home's last robot with the ball far before an empty goal",
-          partial(place_empty_goal, away=(0.3, 0.42), behind=(0.0, 0.03)), "home scores", 60.0, True, rules=PATIENT),
+          partial(place_empty_goal, away=(0.3, 0.42), behind=(0.03, 0.06)), "home scores", 60.0, True, rules=PATIENT),
     Scene("run-to-score", "a run at an empty goal, one of away's behind", place_run, "home scores", ATTACK, True,
           ("chaser",), rules=PATIENT),
     Scene("contested-ball", "the ball midway between two robots", place_contested, "home gets free", ATTACK, True,

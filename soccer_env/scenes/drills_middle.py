@@ -76,8 +76,8 @@ def place_obstacles(league: League, ball: Any, robots: Any, draw: SceneRandom) -
 def place_for_corner(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
     """Place the ball near a corner beside away's goal."""
     near = league.rules.corner_offset
-    ball["x"] = league.pitch.length / 2 - near - draw.between(0.0, 0.4)
-    ball["y"] = draw.side() * (league.pitch.width / 2 - near - draw.between(0.0, 0.4))
+    ball["x"] = league.pitch.length / 2 - near - draw.between(0.4, 0.8)
+    ball["y"] = draw.side() * (league.pitch.width / 2 - near - draw.between(0.4, 0.8))
 
 
 def place_for_free_kick(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
