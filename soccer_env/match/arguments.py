@@ -45,6 +45,7 @@ STEPS = Range(1, 2**40)
 Senses = Literal["ideal", "sensors"]
 Pose = Literal["percept", "particles"]
 Placement = Literal["instant", "drive"]
+Starts = Literal["all", "training", "held-out"]
 InfoKind = Literal["flat", "full", "nested", "none"]
 StateSide = Literal["field", "home", "away"]
 SIDE_BY_SIDE = Range(1, 1 << 20)
@@ -105,6 +106,9 @@ class MatchSettings(CheckedFields):
     scene: str | Scene = declare_setting(
         "kick-off",
         'a name of `soccer list scenes`, several as "a:0.6,b:0.4", saved ones as "states:FILE", or a Scene',
+    )
+    starts: Starts = declare_setting(
+        "all", 'of a drill: "all", those for "training", or the tenth that is "held-out" from it'
     )
     episode: Literal["match", "goal", "drill"] = declare_setting(
         "match", 'it ends by the clock ("match"), at the first "goal", or by the test of a "drill"', replayed=True

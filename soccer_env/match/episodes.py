@@ -19,6 +19,7 @@ from soccer_env.physics.parking import parking_place
 from soccer_env.random_numbers import draw_uniform, start_streams
 from soccer_env.referee.restarts import carry_out_restart
 from soccer_env.scenes import SCENES
+from soccer_env.scenes.scene import choose_start
 from soccer_env.types import AWAY, HOME, NO_TEAM, MatchStream, Phase
 
 KICK_OFF = int(Phase.KICK_OFF)
@@ -75,7 +76,11 @@ def start_match(
     scene = settings.scene.of_episode(seed, episode)
     drill = int(scene.place is not None)
     begin_single_episode(match, ball, robots, constants, np.uint64(seed), episode, settings.half_length, drill)
+    if scene.success != "none":
+        choose_start(match[0], settings.starts)
     scene.set_up(settings.league, match[0], ball[0], robots[0])
+    if not scene.in_play and scene.restart != Phase.KICK_OFF:
+        begin_single_restart(match, ball, robots, constants)
     if scene.place is not None and SCENES.get(scene.name) is not scene:
         check_scene_numbers(f"scene {scene.name!r}", settings, ball, robots)
         check_scene_room(f"scene {scene.name!r}", settings, ball[0], robots[0])
@@ -121,6 +126,12 @@ def check_scene_room(scene: str, settings: Settings, ball: Any, robots: np.ndarr
 def begin_single_episode(matches, balls, robots, constants, seed, episode, half_length, drill):
     """Call `begin_episode` for a single match, whose records have shape (1,)."""
     begin_episode(matches[0], balls[0], robots[0], constants[0], seed, episode, half_length, drill)
+
+
+@compiled
+def begin_single_restart(matches, balls, robots, constants):
+    """Call `carry_out_restart`, under instant placement, for a single match, whose records have shape (1,)."""
+    carry_out_restart(matches[0], balls[0], robots[0], constants[0], 0)
 
 
 @compiled

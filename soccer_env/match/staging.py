@@ -19,7 +19,7 @@ from soccer_env.leagues.rules import rule_set
 from soccer_env.match import Match
 from soccer_env.match.squads import Squad
 from soccer_env.physics.parking import parking_place
-from soccer_env.scenes.drills_legged import PATIENT as PATIENT
+from soccer_env.scenes.scene import PATIENT as PATIENT
 from soccer_env.types import NO_TEAM
 
 

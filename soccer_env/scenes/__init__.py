@@ -6,7 +6,8 @@
     drills.py         drills of every league
     drills_legged.py  drills of the legged league
     drills_middle.py  drills of the middle-size league
-    drills_alone.py   one legged robot, the ball and the goal
+    drills_alone.py   one robot, the ball and the goal
+    drills_attacks.py attacks of several robots
     scattered.py      a start in the middle of play
     mixture.py        a scene drawn for each episode
     saved_states.py   starts drawn from the matches of a save
@@ -19,6 +20,7 @@ from soccer_env.guards.checking import check_names
 from soccer_env.guards.names import MODULE_PATH, object_in_module
 from soccer_env.scenes.drills import DRILLS
 from soccer_env.scenes.drills_alone import DRILLS_ALONE
+from soccer_env.scenes.drills_attacks import ATTACKS
 from soccer_env.scenes.drills_legged import DRILLS_LEGGED
 from soccer_env.scenes.drills_middle import DRILLS_MIDDLE
 from soccer_env.scenes.judging import SUCCESS, judge_drill
@@ -29,7 +31,8 @@ from soccer_env.scenes.scene import Place, Scene, SceneRandom, put_robot, send_a
 
 SHARE = re.compile(rf"({BEGINS}.+):([0-9.]+(?:[eE][+-]?[0-9]+)?)")
 KICK_OFF = Scene("kick-off", "a match from the kick-off on")
-SCENES = {scene.name: scene for scene in (KICK_OFF, SCATTERED, *DRILLS, *DRILLS_LEGGED, *DRILLS_ALONE, *DRILLS_MIDDLE)}
+ALL = (KICK_OFF, SCATTERED, *DRILLS, *ATTACKS, *DRILLS_ALONE, *DRILLS_LEGGED, *DRILLS_MIDDLE)
+SCENES = {scene.name: scene for scene in ALL}
 
 
 def find_scene(scene: str | Scene) -> Scene:

@@ -17,31 +17,22 @@ from typing import Any
 
 from soccer_env.leagues.league import League
 from soccer_env.scenes.drills import goalkeeper_of_away, roll
-from soccer_env.scenes.scene import Place, Scene, SceneRandom, last_row, put_robot, send_away
+from soccer_env.scenes.scene import (
+    PATIENT,
+    Place,
+    Scene,
+    SceneRandom,
+    last_row,
+    last_rows,
+    put_inside,
+    put_robot,
+    send_away,
+    touch_distance,
+)
 from soccer_env.types import AWAY, HOME
 
-BETWEEN = 0.003  # [m] between a ball between the paws and the chest
-ROOM = 0.01  # [m] left to a board
 GAP = 0.5  # [m] between the centres of two players, "gap-500"
-PATIENT = "simple:dropped_ball=False"  # no whistles, no robots pulled apart: the drill tests recovery
 KEEPER_OUT = 0.30  # [m] of the goalkeeper from the middle of its goal
-
-
-def last_rows(robots: Any, team: int, count: int) -> list[int]:
-    """Return the rows of a team's last `count` active robots, in order."""
-    return [r for r in range(len(robots)) if robots[r]["team"] == team and robots[r]["active"]][-count:]
-
-
-def put_inside(league: League, robot: Any, x: float, y: float, heading: float) -> None:
-    """Place a robot at a pose [m, m, rad], shifted onto the pitch where the pose is off it."""
-    room = league.body.reach + league.foot + ROOM
-    edge_x, edge_y = league.pitch.length / 2 - room, league.pitch.width / 2 - room
-    put_robot(robot, min(max(x, -edge_x), edge_x), min(max(y, -edge_y), edge_y), heading)
-
-
-def touch_distance(league: League) -> float:
-    """Return the distance [m] between a robot's centre and a ball held between its paws."""
-    return league.body.front + league.ball.radius + BETWEEN
 
 
 def place_ball_behind(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:

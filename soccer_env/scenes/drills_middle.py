@@ -1,15 +1,15 @@
-"""Drills of the middle-size league: shots at a post, a rolling ball, the challenge of 2003, attacks.  [H. 2006, 1, 4]
+"""Drills of the middle-size league: shots at a post, a rolling ball, the challenge of 2003, set pieces.  [H. 2006]
 
     "we showed in the technical challenge at the world championship in Padova 2003, that our high-level control code was
     still good enough, to win the technical challenge by dribbling the ball around static obstacles"
 
 Every distance, angle and speed is drawn from a range; all are assumed, except the kick's speed of up to 10 m/s.
 
-    far-post-shot        challenge-2003                       three-v-one            counter-attack
+    far-post-shot        challenge-2003
 
-             |  K |              o        o                       A                        A
-      o ->   |    |goal   D*                       |goal    A*         D    K|      D  A*         D     K|goal
-      (the farther post)             o        o                   A                  D
+             |  K |              o        o
+      o ->   |    |goal   D*                       |goal
+      (the farther post)             o        o
 """
 
 from functools import partial
@@ -17,15 +17,22 @@ from math import atan2, cos, pi, sin
 from typing import Any
 
 from soccer_env.leagues.league import League
-from soccer_env.scenes.drills import goalkeeper_of_away, roll
-from soccer_env.scenes.drills_legged import PATIENT, last_rows, put_inside, touch_distance
-from soccer_env.scenes.scene import Scene, SceneRandom, last_row, put_robot, send_away
-from soccer_env.types import AWAY, HOME
+from soccer_env.scenes.drills import ATTACK, goalkeeper_of_away, roll
+from soccer_env.scenes.scene import (
+    PATIENT,
+    Scene,
+    SceneRandom,
+    last_row,
+    last_rows,
+    put_robot,
+    put_with_ball,
+    send_away,
+)
+from soccer_env.types import AWAY, HOME, Phase
 
 STEP = 1.2  # [m] between two obstacles of the challenge, along the pitch
 ASIDE = 0.35  # [m] of obstacles beside the straight way, to either side in turn
 OBSTACLES = 4
-LONGEST = 20.0  # [s] time limit of an attack
 
 
 def place_post_shot(league: League, ball: Any, robots: Any, draw: SceneRandom, far: bool) -> None:
@@ -66,50 +73,24 @@ def place_obstacles(league: League, ball: Any, robots: Any, draw: SceneRandom) -
         put_robot(robots[row], x + 1.6 + STEP * number + draw.between(-0.1, 0.1), y + off, draw.between(-pi, pi))
 
 
-def put_with_ball(league: League, ball: Any, robot: Any, x: float, y: float, heading: float) -> None:
-    """Place a robot at a pose [m, m, rad] with the ball at its kicker."""
-    put_robot(robot, x, y, heading)
-    ball["x"], ball["y"] = x + touch_distance(league) * cos(heading), y + touch_distance(league) * sin(heading)
+def place_for_corner(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
+    """Place the ball near a corner beside away's goal."""
+    near = league.rules.corner_offset
+    ball["x"] = league.pitch.length / 2 - near - draw.between(0.4, 0.8)
+    ball["y"] = draw.side() * (league.pitch.width / 2 - near - draw.between(0.4, 0.8))
 
 
-def field_player_rows(robots: Any, team: int, most: int) -> list[int]:
-    """Return the rows of up to `most` field players of a team, or the goalkeeper's row if it has no field player."""
-    rows = last_rows(robots, team, len(robots))
-    field = [r for r in rows if not robots[r]["keeper"]]
-    return (field or rows)[-most:]
+def place_for_free_kick(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
+    """Place the ball in away's half, outside the penalty area."""
+    ball["x"], ball["y"] = draw.between(1.5, 3.5), draw.between(-2.5, 2.5)
 
 
-def place_three_v_one(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
-    """Place up to three home players, the last with the ball, against away's goalkeeper and one field player."""
-    side = draw.side()
-    places = [(draw.between(2.0, 3.0), side * 2.0), (draw.between(2.0, 3.0), -side * 2.0)]
-    place_attack(league, ball, robots, draw, places, [(draw.between(3.4, 4.0), draw.between(-0.5, 0.5))])
-
-
-def place_counter_attack(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
-    """Place two home players, the last with the ball, against a player and the goalkeeper; two opponents behind."""
-    side = draw.side()
-    behind = [(draw.between(-1.6, -1.2), 1.5), (draw.between(-1.6, -1.2), -1.5)]
-    place_attack(
-        league, ball, robots, draw, [(0.5, side * draw.between(1.5, 2.5))], [*behind, (draw.between(2.0, 3.0), 0.0)]
-    )
-
-
-def place_attack(
-    league: League, ball: Any, robots: Any, draw: SceneRandom,
-    mates: list[tuple[float, float]], defenders: list[tuple[float, float]],
-) -> None:  # fmt: skip
-    """Place home's last field player with the ball near the centre spot, then its mates and away's players."""
-    own = field_player_rows(robots, HOME, 1 + len(mates))
-    keeper, others = goalkeeper_of_away(robots), field_player_rows(robots, AWAY, len(defenders))
-    others = [row for row in others if row != keeper]
-    send_away(league, robots, keeper, *own, *others)
-    put_with_ball(league, ball, robots[own[-1]], draw.between(-0.3, 0.3), draw.between(-0.4, 0.4), 0.0)
-    for row, (x, y) in zip(own[:-1], mates, strict=False):
-        put_inside(league, robots[row], x, y, 0.0)
-    for row, (x, y) in zip(reversed(others), reversed(defenders), strict=False):
-        put_inside(league, robots[row], x, y, pi)
-    put_robot(robots[keeper], league.pitch.length / 2 - 0.8, 0.0, pi)
+def set_piece(name: str, description: str, place: Any, phase: Phase) -> Scene:
+    """Return a drill of three a side under the rules of the league: home takes a restart and has to score."""
+    return Scene(
+        name, description, place, "home scores", ATTACK, opponents=("chaser",) * 3, players=3,
+        families=("middle-size",), restart=phase,
+    )  # fmt: skip
 
 
 def middle_size_drill(name: str, description: str, place: Any, success: str, limit: float, **more: Any) -> Scene:
@@ -126,8 +107,6 @@ DRILLS_MIDDLE = (
         "home gets the ball", 6.0),
     middle_size_drill("challenge-2003", "home's last robot with the ball, four still obstacles on its way",
           place_obstacles, "home gets past", 20.0, opponents=("still",) * OBSTACLES),
-    middle_size_drill("three-v-one", "three of home's with the ball before one of away's and its goalkeeper",
-          place_three_v_one, "home scores", LONGEST, opponents=("chaser", "chaser"), players=4),
-    middle_size_drill("counter-attack", "two of home's with the ball run at one of away's and its goalkeeper",
-          place_counter_attack, "home scores", LONGEST, opponents=("chaser",) * 4, players=3),
+    set_piece("corner-kick", "a corner kick by home", place_for_corner, Phase.CORNER_KICK),
+    set_piece("free-kick", "a free kick by home in the other half", place_for_free_kick, Phase.FREE_KICK),
 )  # fmt: skip

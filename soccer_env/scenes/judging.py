@@ -5,6 +5,7 @@
     home gets the ball   the ball lies between the paws (in the pocket, at the kicker) of a robot of home
     home gets free       home has the ball and no robot of away is near it; or home has carried it CARRIED away
     home gets past       home carries the ball past away's last player, or into the goal, without touching a robot
+    home keeps the ball  until the time limit away never has the ball, it is never out and there is no goal
 
 Any goal ends a drill. A stuck game that the referee restarts with a kick-off ends it as a failure, since ball and
 robots are then moved. After a dropped ball, which stays near the place where it stuck, the drill goes on.
@@ -20,7 +21,7 @@ from soccer_env.physics.contacts import ball_gap
 from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
 
 KICK_OFF, OVER = int(Phase.KICK_OFF), int(Phase.OVER)
-NO_DRILL, SCORE, SAVE, GET, FREE, PASS_BY = range(6)
+NO_DRILL, SCORE, SAVE, GET, FREE, PASS_BY, KEEP = range(7)
 SUCCESS = {
     "none": NO_DRILL,
     "home scores": SCORE,
@@ -28,6 +29,7 @@ SUCCESS = {
     "home gets the ball": GET,
     "home gets free": FREE,
     "home gets past": PASS_BY,
+    "home keeps the ball": KEEP,
 }
 SLOW_BALL = 0.2  # [m/s] a shot this slow is saved, assumed
 NEAR_BALL = 0.05  # [m] from a robot's outline to the ball: a nearer robot contests the ball, assumed
@@ -44,7 +46,7 @@ def judge_drill(match, ball, robots, robot_events, events, k):
         return
     result = 0
     if events.goal != NO_TEAM:
-        result = 1 if events.goal == HOME and k.drill != SAVE else -1
+        result = 1 if events.goal == HOME and k.drill != SAVE and k.drill != KEEP else -1
     elif events.restart == KICK_OFF:
         result = -1
     elif k.drill == SCORE:
@@ -55,6 +57,8 @@ def judge_drill(match, ball, robots, robot_events, events, k):
         result = 1 if team_has_ball(robots, HOME) else 0
     elif k.drill == FREE:
         result = judge_challenge(match, ball, robots, k)
+    elif k.drill == KEEP:
+        result = judge_keeping(match, robots, events, k)
     else:
         result = judge_dribble(match, ball, robots, robot_events, k)
     events.drill = result
@@ -101,6 +105,14 @@ def judge_challenge(match, ball, robots, k):
     if home and away:
         return 1 if x * match.home_direction > 0.0 else -1
     return 1 if home else -1
+
+
+@compiled
+def judge_keeping(match, robots, events, k):
+    """Return -1 if the ball is out or away has it, +1 at the time limit, else 0."""
+    if events.out == 1 or team_has_ball(robots, AWAY):
+        return -1
+    return 1 if match.step * k.dt >= k.drill_time - 0.5 * k.dt else 0
 
 
 @compiled

@@ -4,16 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from math import inf
+from math import cos, inf, sin
 from typing import Any
 
 from soccer_env.geometry import wrap
 from soccer_env.leagues.league import League
-from soccer_env.random_numbers import draw_uniform
+from soccer_env.random_numbers import GOLDEN, draw_uniform, mix_bits
 from soccer_env.scenes.judging import SUCCESS
-from soccer_env.types import MAX_TEAM, NO_TEAM, MatchStream, Phase
+from soccer_env.types import HOME, MAX_TEAM, NO_TEAM, MatchStream, Phase
 
 SCENE = int(MatchStream.SCENE)
+PATIENT = "simple:dropped_ball=False"  # no whistles, no robots pulled apart: the drill tests recovery
+BETWEEN = 0.003  # [m] between a ball at the kicker, or between the paws, and the body
+ROOM = 0.01  # [m] left to a board
+HELD_OUT = 10  # one start in so many is held out
 
 
 class SceneRandom:
@@ -49,13 +53,14 @@ class Scene:
     place: Place | None = None  # place(league, ball, robots, draw), see above; None: as at a kick-off
     success: str | Callable[[Any], Any] = "none"  # the success test of a drill; "none": no drill
     time_limit: float = inf  # [s] of a drill, which then ends undecided
-    in_play: bool = False  # True: play is on; False: a kick-off
+    in_play: bool = False  # True: play is on; False: home's restart
     opponents: tuple[str, ...] = ()  # names of teams, with strengths
     players: int = 1  # of home that the drill is meant for, with a goalkeeper: also a suggestion
     most: int = MAX_TEAM  # players a side
     families: tuple[str, ...] = ()  # of the leagues that the scene fits (`League.family`); empty: all
     rules: str = "league"  # of the drill, unless the caller names other rules
     shows: Place | None = None  # moves the ball for the robots' first look only
+    restart: Phase = Phase.KICK_OFF  # where play is not on; of others than a kick-off, the rules place the robots
 
     def __post_init__(self) -> None:
         if not callable(self.success) and self.success not in SUCCESS:
@@ -86,8 +91,8 @@ class Scene:
         """Change the records of an episode that has begun with the kick-off formation."""
         if self.place is not None:
             self.place(league, ball, robots, SceneRandom(match))
-        if self.in_play:
-            match["phase"], match["restart_team"] = Phase.PLAY, NO_TEAM
+        if self.in_play or self.restart != Phase.KICK_OFF:
+            match["phase"], match["restart_team"] = (Phase.PLAY, NO_TEAM) if self.in_play else (self.restart, HOME)
             match["restart_x"], match["restart_y"] = ball["x"], ball["y"]
         match["still_x"], match["still_y"] = ball["x"], ball["y"]
 
@@ -108,6 +113,40 @@ def put_robot(robot: Any, x: float, y: float, heading: float) -> None:
 def last_row(robots: Any, team: int) -> int:
     """Return the row of a team's last active robot."""
     return max(r for r in range(len(robots)) if robots[r]["team"] == team and robots[r]["active"])
+
+
+def put_inside(league: League, robot: Any, x: float, y: float, heading: float) -> None:
+    """Place a robot at a pose [m, m, rad], shifted onto the pitch where the pose is off it."""
+    room = league.body.reach + league.foot + ROOM
+    edge_x, edge_y = league.pitch.length / 2 - room, league.pitch.width / 2 - room
+    put_robot(robot, min(max(x, -edge_x), edge_x), min(max(y, -edge_y), edge_y), heading)
+
+
+def touch_distance(league: League) -> float:
+    """Return the distance [m] between a robot's centre and a ball held between its paws."""
+    return league.body.front + league.ball.radius + BETWEEN
+
+
+def put_with_ball(league: League, ball: Any, robot: Any, x: float, y: float, heading: float) -> None:
+    """Place a robot at a pose [m, m, rad] with the ball at its kicker."""
+    put_robot(robot, x, y, heading)
+    ball["x"], ball["y"] = x + touch_distance(league) * cos(heading), y + touch_distance(league) * sin(heading)
+
+
+def last_rows(robots: Any, team: int, count: int) -> list[int]:
+    """Return the rows of a team's last `count` active robots, in order."""
+    return [r for r in range(len(robots)) if robots[r]["team"] == team and robots[r]["active"]][-count:]
+
+
+def choose_start(match: Any, starts: str) -> None:
+    """Set the random numbers of a drill's start to those of a `starts` start: "all", "training" or "held-out".
+
+    A start follows from the state of the scene's random numbers alone; its number is this state. Starts whose number
+    is a multiple of HELD_OUT are held out. An unwanted number is replaced by its hash, until one fits.
+    """
+    noise = match["noise"]
+    while starts != "all" and (int(noise[SCENE]) % HELD_OUT == 0) != (starts == "held-out"):
+        noise[SCENE] = mix_bits(noise[SCENE] ^ GOLDEN)
 
 
 def send_away(league: League, robots: Any, *but: int) -> None:

@@ -9,17 +9,18 @@ from soccer_env.scenes import SCENES
 from soccer_env.scenes.drills_alone import AT_BOARD, DRILLS_ALONE, IN_CORNER
 from soccer_env.scenes.drills_legged import DRILLS_LEGGED, GAP, KEEPER_OUT
 from soccer_env.scenes.judging import PAST
-from tests.scenes.staging import LEAGUES, LEGGED, each_league, play, robot_actions
+from soccer_env.types import HOME, Phase
+from tests.scenes.staging import LEAGUES, LEGGED, MIDDLE, each_league, play, robot_actions
 
 MATCHES = 60
 DRIBBLES = [scene.name for scene in DRILLS_LEGGED if scene.success == "home gets past"]
 HOLDS = 0.06  # [m] aside of a way at which a robot stands on it: less than half of its width
 
 
-def drill(scene: str, league: str = LEGGED) -> Match:
+def drill(scene: str, league: str = LEGGED, home: int = 1) -> Match:
     """Return a drill with as many opponents as it needs."""
     away = max(len(SCENES[scene].opponents), 1)
-    return Match(league, home=1, away=away, matches=MATCHES, scene=scene, seed=7, episode="drill")
+    return Match(league, home=home, away=away, matches=MATCHES, scene=scene, seed=7, episode="drill")
 
 
 def seen_from(match: Match, r: int, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -208,9 +209,74 @@ def test_shot_at_keeper_is_on_target_from_4_m_or_a_third_of_the_pitch(name: str)
     assert (np.abs(match.robots["y"][:, 1]) < 1e-9).all() and (match.robots["x"][:, 1] > 0.8 * half).all()
 
 
+@each_league
+def test_far_before_the_empty_goal_and_in_a_run_to_score_the_robot_has_the_goal_before_it_and_all_others_behind(
+    name: str,
+) -> None:
+    for scene in ("empty-goal-far", "run-to-score"):
+        match = drill(scene, name)
+        half, robots = match.league.pitch.length / 2, match.robots["x"]
+        assert (match.balls["x"] < 0.6 * half).all() and (match.balls["x"] > 0.0).all()
+        assert (robots[:, 0] < match.balls["x"]).all() and (robots[:, 1] < robots[:, 0]).all()
+        assert (np.abs(ball_from(match)[1]) < 0.51).all()
+    assert (robots[:, 1] > robots[:, 0] - 0.131 * 2 * half).all(), "the chaser is near"
+
+
+@each_league
+def test_a_contested_ball_is_as_near_to_both_and_a_ball_to_win_is_at_the_opponents_kicker(name: str) -> None:
+    match = drill("contested-ball", name)
+    (ours, ahead), (theirs, across) = ball_from(match, 0), ball_from(match, 1)
+    np.testing.assert_allclose(ours, theirs)
+    assert (np.abs(ahead) < 0.31).all() and (np.abs(across) < 0.31).all() and not match.robots["has_ball"].any()
+    match = drill("win-the-ball", name)
+    assert (match.robots["has_ball"] == [0, 1]).all()
+    assert (match.robots["x"][:, 0] < match.balls["x"]).all() and (match.balls["x"] < match.robots["x"][:, 1]).all()
+
+
+@each_league
+def test_attackers_have_the_ball_defenders_and_their_goalkeeper_are_before_them(name: str) -> None:
+    for scene, attackers, defenders in (
+        ("pass-and-shoot", 2, 2), ("two-v-two", 2, 3), ("keep-away", 2, 2), ("one-v-keeper", 1, 1)
+    ):  # fmt: skip
+        home = SCENES[scene].players
+        match = drill(scene, name, home)
+        robots, last = match.robots, home - 1
+        assert (robots["has_ball"][:, last] == 1).all() and (robots["has_ball"].sum(axis=1) == 1).all()
+        ahead = robots["x"] > 0.0
+        assert (ahead[:, :home].sum(axis=1) == attackers).all() and (ahead[:, home:].sum(axis=1) == defenders).all()
+        assert (robots["x"][:, home] > 0.8 * match.league.pitch.length / 2).all() and (robots["keeper"][:, home]).all()
+    match = drill("pass-and-shoot", name, 3)
+    assert (np.sign(match.robots["y"][:, 1]) != np.sign(match.robots["y"][:, 4])).all(), "the mate is free"
+
+
+@pytest.mark.parametrize(("scene", "phase", "name"), [
+    ("kick-off-goal", Phase.KICK_OFF, LEGGED), ("kick-off-goal", Phase.KICK_OFF, MIDDLE),
+    ("corner-kick", Phase.CORNER_KICK, MIDDLE), ("free-kick", Phase.FREE_KICK, MIDDLE),
+])  # fmt: skip
+def test_home_takes_a_restart_and_opponents_keep_their_distance(scene: str, phase: Phase, name: str) -> None:
+    match = drill(scene, name, 3)
+    away = np.hypot(*(match.robots[axis] - match.balls[axis][:, None] for axis in "xy"))
+    assert (match.matches["phase"] == phase).all() and (match.matches["restart_team"] == HOME).all()
+    assert (away.argmin(axis=1) == 2).all() and (away[:, 2] < 0.2 * match.league.pitch.length).all()
+    assert (away[:, 3:] > match.league.rules.restart_distance).all()
+    play(match, seconds=0.2)
+    assert (match.matches["phase"] == phase).all() and not match.events["drill"].any()
+
+
+def test_who_keeps_the_ball_until_time_is_up_succeeds_and_who_lets_others_have_it_fails() -> None:
+    match = drill("keep-away", LEGGED, 3)
+    match.robots["has_ball"][:30] = [0, 0, 1, 0, 1]
+    play(match, steps=1)
+    assert (match.events["drill"][:30] == -1).all() and not match.events["drill"][30:].any()
+    play(match, steps=round(SCENES["keep-away"].time_limit * match.league.control_rate) - 1)
+    assert (match.events["drill"][30:] == 1).all() and match.terminated[30:].all()
+
+
 def test_every_drill_is_told_of_here() -> None:
     told = {*DRIBBLES, "facing-wall", "ball-behind-robot", "head-on-push", "far-post-shots"}
     told |= {"lost-ball-behind", "ball-at-board", "ball-in-corner"}
     common = {"empty-goal", "shot-at-keeper"}
     told |= {"far-post-shot", "near-post-shot", "receive-pass", "challenge-2003", "three-v-one", "counter-attack"}
+    told |= {"pass-and-shoot", "two-v-two", "keep-away", "one-v-keeper", "kick-off-goal", "corner-kick", "free-kick"}
+    told |= {"empty-goal-far", "run-to-score", "contested-ball", "win-the-ball"}
     assert told | common == {name for name, scene in SCENES.items() if scene.success != "none"} and len(LEAGUES) == 2

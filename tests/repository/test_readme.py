@@ -26,6 +26,7 @@ else:
 ROOT = Path(__file__).parents[2]
 PAGES = (
     "README.md", "CONTRIBUTING.md", "SECURITY.md", "soccer_env/README.md", "soccer_env/perception/README.md",
+    "soccer_env/scenes/README.md",
     "baselines/README.md", "baselines/heinemann_2006/README.md", "baselines/sacks_2001/README.md",
     "baselines/weigel_2001/README.md", "agents/policies/README.md", "train/README.md", "train/MEASURED.md",
 )  # fmt: skip

@@ -141,9 +141,15 @@ def run_evaluate(words: list[str]) -> int:
     if settings.sweep:
         return run_sweep(settings)
     from soccer_env.train.command.compiling_beside import compile_step_beside
+    from soccer_env.train.evaluate.drills import chosen_drills, evaluate_drills
     from soccer_env.train.evaluate.evaluation import evaluate
-    from soccer_env.train.evaluate.report import screen_tables
+    from soccer_env.train.evaluate.report import screen_tables, table_of_drills
 
+    if chosen_drills(settings.scene, settings.league):
+        with compile_step_beside():
+            results = evaluate_drills(settings)
+        print_json([row.as_dict() for row in results]) if settings.json else console().print(table_of_drills(results))
+        return 0
     with compile_step_beside():
         result = evaluate(settings)
     if settings.json:

@@ -10,7 +10,7 @@ report.py          the result in Markdown and on the screen
 page.py            the result as a page for the browser, with pictures
 recording.py       record a match into a replay file, and check a replay file
 exporting.py       a replay as a film, a page, data or a picture
-drills.py          `run_drill`: how often a team succeeds in a drill
+drills.py          `evaluate_drills`: how often teams succeed in drills
 rechecking.py      `recheck`: play a sample again and compare every line bit for bit
 same_contest.py    read a folder of results, and rebuild its contest
 map_pictures.py    heat maps, pass networks and shot maps as a picture, and as tables of a report
@@ -23,12 +23,13 @@ from typing import TYPE_CHECKING
 from soccer_env.guards.names import lazy_names
 
 if TYPE_CHECKING:
+    from soccer_env.train.evaluate.drills import evaluate_drills
     from soccer_env.train.evaluate.evaluation import evaluate
     from soccer_env.train.evaluate.rechecking import RecheckResult, recheck
     from soccer_env.train.evaluate.results import EvaluationResult
     from soccer_env.train.evaluate.settings import EvaluateSettings
 
-__all__ = ["EvaluateSettings", "EvaluationResult", "RecheckResult", "evaluate", "recheck"]
+__all__ = ["EvaluateSettings", "EvaluationResult", "RecheckResult", "evaluate", "evaluate_drills", "recheck"]
 __getattr__, __dir__ = lazy_names(
     __name__,
     {
@@ -36,6 +37,7 @@ __getattr__, __dir__ = lazy_names(
         "EvaluationResult": "soccer_env.train.evaluate.results",
         "RecheckResult": "soccer_env.train.evaluate.rechecking",
         "evaluate": "soccer_env.train.evaluate.evaluation",
+        "evaluate_drills": "soccer_env.train.evaluate.drills",
         "recheck": "soccer_env.train.evaluate.rechecking",
     },
 )

@@ -23,7 +23,7 @@ from soccer_env.statistics.maps import maps_of_team
 from soccer_env.teams import CompiledTeam, ObservingTeam, Team, is_module_team, make_team, registered_teams
 from soccer_env.teams.function_teams import FunctionTeam
 from soccer_env.train.evaluate.results import MatchLine
-from soccer_env.train.evaluate.settings import SIDES, Conditions, EvaluateSettings
+from soccer_env.train.evaluate.settings import ALL, SIDES, Conditions, EvaluateSettings
 from soccer_env.train.evaluate.statistics import match_statistics
 from soccer_env.train.written_settings import split_variation
 
@@ -62,12 +62,10 @@ class Contest:
 
 def contest_of(conditions: Conditions, league: League, teams: Mapping[str, Team]) -> Contest:
     """Return the contest between the teams that the conditions name; ValueError for an unknown team or a drill."""
-    scene = find_scene(conditions.scene)
-    if scene.success != "none":
-        how = f"run_drill({league.name!r}, {scene.name!r}, {conditions.home!r}, runs=100)"
+    if conditions.scene == ALL or find_scene(conditions.scene).success != "none":
         raise ValueError(
-            f"scene {scene.name!r} is a drill, evaluations play matches: `soccer record --scene {scene.name}` plays it "
-            f"once, in Python {how} of soccer_env.train.evaluate.drills says how many of a hundred runs succeed"
+            f"scene {conditions.scene!r} is no start of a match: `soccer evaluate --scene {conditions.scene}` judges "
+            "drills, in Python evaluate_drills(settings) of soccer_env.train.evaluate"
         )
     return Contest(conditions, league, *(team_or_name(name, teams) for name in (conditions.home, conditions.away)))
 

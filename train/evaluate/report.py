@@ -17,6 +17,8 @@ from soccer_env.train.statistics import interquartile_mean, wilson_interval
 if TYPE_CHECKING:
     from rich.table import Table
 
+    from soccer_env.train.evaluate.drills import DrillResult
+
 PAIRS_SHOWN = 100
 VERDICTS = {
     "beats clearly": "{home} beats {away} clearly.",
@@ -204,3 +206,19 @@ def screen_tables(result: EvaluationResult) -> Iterator[Table]:
         for row in cells:
             drawn.add_row(*row)
         yield drawn
+
+
+def table_of_drills(results: Sequence[DrillResult]) -> Table:
+    """Return the table for the terminal: a row for each drill, a column for each team."""
+    from rich.table import Table
+
+    first = results[0]
+    title = f"{first.league}: successes [%] in {first.runs} runs each from held-out starts, 95 % intervals (Wilson)"
+    names = list(dict.fromkeys(result.team for result in results))
+    drawn = Table("drill", title=title)
+    for name in names:
+        drawn.add_column(name, justify="right")
+    shares = ["{:.0f} ({:.0f} to {:.0f})".format(*(100.0 * end for end in result.share)) for result in results]
+    for row in range(0, len(results), len(names)):
+        drawn.add_row(results[row].drill, *shares[row : row + len(names)])
+    return drawn

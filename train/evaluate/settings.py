@@ -25,7 +25,7 @@ from soccer_env.train.written_settings import (
 
 SIDES = ("home", "away")
 FULL = "full"  # minutes: the league's own length of a match
-ALL, PAIRS = "all", 5  # values of --pairs: every finished pair; the default
+ALL, PAIRS = "all", 5  # values of --pairs: every finished pair (and of --scene: every drill); the default
 CONDITIONS = ("home", "away", "matches", "seed", "scene", "rules", "variation")  # as the settings say
 RECHECKED = ("recheck", "pairs", "seed", "threads", "home", "away", "league", "scene", "json")  # usable with --recheck
 
@@ -55,7 +55,8 @@ class EvaluateSettings(CommandSettings):
     league: str = "legged-2001"
     """League to play in; `soccer list leagues` names them."""
     home: str = "chaser"
-    """Team whose result is reported: a name of `soccer list teams`, NAME@STRENGTH as chaser@0.5, or a policy file."""
+    """Team whose result is reported: a name of `soccer list teams`, NAME@STRENGTH as chaser@0.5, or a policy file; for
+    drills also several, separated by commas."""
     away: str = "random"
     """Opponent, written like --home."""
     matches: int = 20
@@ -76,7 +77,8 @@ class EvaluateSettings(CommandSettings):
     """How robots with sensors know where they are: by a particle filter, or by a given noisy pose (percept). Leave out
     for particles; a policy that was trained with percept is then refused."""
     scene: str = "kick-off"
-    """How each match starts: kick-off, scattered, or both with shares (kick-off:0.6,scattered:0.4); no drills."""
+    """How each match starts: kick-off, scattered, or both with shares (kick-off:0.6,scattered:0.4). A drill, or all for
+    every drill of the league: --home plays each --matches times, from starts that training never draws."""
     rules: str = "league"
     """Rule set: league, simple or none; league:pushing=False,holding_time=5 changes single rules."""
     placement: Literal["instant", "drive"] | None = None

@@ -49,9 +49,8 @@ class SoccerVecEnv(VecEnv):
     the robot's own side, `Match.state("home")` or "away", to every observation, for a centralised critic, with room for
     the largest team (True) or for this number of robots a side; stagger: begin the first episodes at different times of
     play. max_cycles counts steps of `action_repeat` control steps. Other settings are those of `Match` (observe="truth"
-    unless told otherwise). `results` collects how episodes ended until somebody takes them, `seconds` the time [s] that
-    steps took. Every reset plays the episodes of the seed again. An episode that does not last whole steps shifts the
-    next one's decisions within the gait.
+    and starts="training" unless told otherwise). `results` collects how episodes ended until somebody takes them,
+    `seconds` the time [s] that steps took. Every reset plays the episodes of the seed again.
 
         env = SoccerVecEnv(players=[(2, 2)], matches=64, opponents="chaser", action_repeat=8, minutes=2.0)
         model = A2C("MlpPolicy", env).learn(100_000)
@@ -94,7 +93,8 @@ class SoccerVecEnv(VecEnv):
         self.matches = [
             Match(
                 league, home=home, away=away, matches=count, opponents=opponents, threads=inner, seed=seed,
-                autoreset="same_step", rewards=replace(find_rewards(rewards), gamma=gamma), **{**settings, **senses},
+                autoreset="same_step", rewards=replace(find_rewards(rewards), gamma=gamma),
+                **{"starts": "training", **settings, **senses},
             )
             for (home, away), count, senses in blocks
         ]  # fmt: skip

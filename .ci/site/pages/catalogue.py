@@ -29,7 +29,7 @@ NOTES = {
     "scenes": 'A match begins in a scene, `scene="NAME"`; with `episode="drill"` its test ends the episode. Several '
     'scenes in turn are `scene=soccer_env.scenes.mixture("kick-off:0.6,scattered:0.4")`. Rules go on in drills: those '
     "in the column of rules, so a ball that nobody plays is dropped elsewhere and robots are moved for it where that "
-    "rule is on. `soccer evaluate` plays whole matches.",
+    "rule is on. [Drills](../soccer_env/scenes/README.md) has a picture of each, and starts that training never draws.",
     "actions": 'Finite numbers outside [-1, 1] are clipped. `actions="box"` has the first four, `"full"` all seven, '
     '`"discrete"` one of the twelve below, `"multi"` a choice for each of forward, left, turn and kick. What a 1 is '
     "in numbers: [leagues](leagues.md).",

@@ -121,7 +121,10 @@ def test_the_help_of_a_command_fits_a_screen_and_says_how_many_options_it_leaves
         (["evaluate", "--matches", "3"], "matches must be an even whole number, for each seed is played twice"),
         (["evaluate", "--matches"], "--matches"),
         (["evaluate", "--seed", "-1"], "seed must be a whole number of at least 0, got -1"),
-        (["evaluate", "--scene", "empty-goal"], "plays it once, in Python run_drill('legged-2001', 'empty-goal', "),
+        (
+            ["evaluate", "--scene", "empty-goal", "--minutes", "3"],
+            "minutes does not go with a drill, which has its own",
+        ),
         (["export", "nope.replay", "--out", "a.html"], "soccer: nope.replay: no such file or directory\n"),
         (["export", "nope.replay", "--out", "a.svg"], "; .svg needs --maps: heat maps, pass networks, shot maps"),
         (["evaluate", "--players", "12"], "players must be 1 to 11"),

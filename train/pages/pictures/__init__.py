@@ -1,6 +1,7 @@
 """The pictures of the pages, drawn from matches of fixed seeds: `make pictures`.
 
 belief.py     the belief of one robot, drawn over the true state
+drills.py     a sheet of the drills of each league
 frames.py     the field frame, the team frame and the robot frame on a pitch
 rules.py      a sheet of the rules of a league, each staged and drawn in one frame
 rules_legged.py  the situations of the legged league

@@ -1,11 +1,10 @@
 """The table of teams and drills: each team's share of successful runs, with sensors."""
 
-from collections.abc import Iterator
+from dataclasses import asdict
 from typing import Any
 
-from soccer_env.leagues import find_league
-from soccer_env.scenes import SCENES, Scene
-from soccer_env.train.evaluate.drills import SEED, run_drill
+from soccer_env.train.evaluate.drills import SEED, evaluate_drills
+from soccer_env.train.evaluate.settings import ALL, EvaluateSettings
 from soccer_env.train.pages.tables.teams import crosstable
 from soccer_env.train.statistics import wilson_interval
 
@@ -17,24 +16,16 @@ TEAMS = {
 }
 
 
-def drills_of(league: str) -> Iterator[Scene]:
-    """Yield the drills of a league."""
-    family = find_league(league).family
-    for scene in SCENES.values():
-        if scene.success != "none" and (not scene.families or family in scene.families):
-            yield scene
-
-
 def measure_drills() -> dict[str, Any]:
     """Let every team play every drill of its league."""
-    rows = [
-        {"league": league, "drill": scene.name, "rules": scene.rules, "team": team, "runs": RUNS,
-         "successes": run_drill(league, scene, team, RUNS)}
+    asked = [
+        EvaluateSettings(
+            league=league, scene=ALL, home=",".join(teams), matches=RUNS, seed=SEED, threads=2, pose="percept"
+        )
         for league, teams in TEAMS.items()
-        for scene in drills_of(league)
-        for team in teams
-    ]  # fmt: skip
-    return {"seed": SEED, "rows": rows}
+    ]
+    rows = [asdict(result) for settings in asked for result in evaluate_drills(settings)]
+    return {"seed": SEED, "starts": "held-out", "rows": rows}
 
 
 def drills_table(table: dict[str, Any]) -> str:
@@ -49,7 +40,8 @@ def drills_table(table: dict[str, Any]) -> str:
         }
         parts.append(crosstable(f"{league} [%]", shares))
     widest = max(half_width(row) for row in rows)
-    runs = f"{rows[0]['runs']} runs each by sensors, seed {table['seed']}"
+    starts = f" from {table['starts']} starts" if "starts" in table else ""
+    runs = f"{rows[0]['runs']} runs each{starts} by sensors, seed {table['seed']}"
     return "\n\n".join([*parts, f"{runs}; 95 % intervals (Wilson) are at most {widest:.0f} points to either side."])
 
 

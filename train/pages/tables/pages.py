@@ -117,7 +117,7 @@ TABLES = {
     "scripted": PageTable("baselines/README.md", lambda: measure_rows(scripted_rows()), scripted_table),
     "sacks": PageTable("baselines/README.md", lambda: measure_rows(sacks_rows()), sacks_table),
     "heinemann": PageTable("baselines/README.md", lambda: measure_rows(heinemann_rows()), heinemann_table),
-    "drills": PageTable("baselines/README.md", measure_drills, drills_table),
+    "drills": PageTable("soccer_env/scenes/README.md", measure_drills, drills_table),
     "learned": PageTable("agents/policies/README.md", lambda: measure_learned(learned_rows()), learned_table),
     "learned_2006": PageTable(
         "agents/policies/learned-2006.md", lambda: measure_learned(learned_2006_rows()), learned_table

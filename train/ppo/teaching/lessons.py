@@ -43,7 +43,7 @@ def recordings_by_setting(settings: TrainSettings) -> Iterator[tuple[Any, tuple[
         yield opponent, players, min(decisions, max(1, round(share / count))), {
             "league": settings.played, "scene": settings.scene, "matches": count, "minutes": settings.minutes,
             "seed": settings.seed + TEACHER_SEED + 1009 * index, "senses": senses, "pose": settings.pose,
-            "threads": settings.threads,
+            "threads": settings.threads, "starts": "training",
         }  # fmt: skip
 
 

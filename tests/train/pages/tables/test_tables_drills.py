@@ -1,18 +1,22 @@
 """The table of teams over drills: who plays what, and what it shows."""
 
 from soccer_env.scenes import SCENES
+from soccer_env.scenes.drills import DRILLS
+from soccer_env.scenes.drills_attacks import ATTACKS
 from soccer_env.teams import make_team
 from soccer_env.train.casting import controllers_of
-from soccer_env.train.evaluate.drills import run_drill
-from soccer_env.train.pages.tables.drills import TEAMS, drills_of, drills_table
+from soccer_env.train.evaluate.drills import drills_of, run_drill
+from soccer_env.train.pages.tables.drills import TEAMS, drills_table
 
 
 def test_every_drill_is_played_in_every_league_that_it_is_for() -> None:
-    everybody = {"empty-goal", "shot-at-keeper"}
     middle = {"far-post-shot", "near-post-shot", "receive-pass", "challenge-2003", "three-v-one", "counter-attack"}
-    legged = {name for name, scene in SCENES.items() if scene.success != "none"} - middle
-    assert {scene.name for scene in drills_of("legged-2001")} == legged > everybody
+    middle |= {"corner-kick", "free-kick"}
+    every = {name for name, scene in SCENES.items() if scene.success != "none"}
+    everybody = {"ball-at-board", "ball-in-corner"} | {scene.name for scene in (*DRILLS, *ATTACKS)} - middle
+    assert {scene.name for scene in drills_of("legged-2001")} == every - middle > everybody
     assert {scene.name for scene in drills_of("middle-size-2006")} == middle | everybody
+    assert len(every) >= 32 and len(everybody) >= 13
 
 
 def test_every_scripted_team_plays_every_drill() -> None:
