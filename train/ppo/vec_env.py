@@ -82,8 +82,7 @@ class SoccerVecEnv(VecEnv):
         threads: int = 1,
         **settings: Any,
     ) -> None:
-        self.repeat, self.stagger = action_repeat, stagger
-        self.results = list[Result]()
+        self.repeat, self.stagger, self.results = action_repeat, stagger, list[Result]()
         self.render_mode, self.seconds = None, 0.0
         check_request(players, opponents is None, action_repeat, threads, settings)
         blocks = split_matches(players, matches, ideal_share)

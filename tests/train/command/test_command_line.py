@@ -133,7 +133,7 @@ def test_the_help_of_a_command_fits_a_screen_and_says_how_many_options_it_leaves
         (["list", "senses"], "unknown list 'senses', did you mean 'scenes'? known: leagues"),
         (["evaluate", "--home", "sacks-2000"], "unknown team 'sacks-2000', did you mean 'sacks-2001'? known: still"),
         (["evaluate", "--league", "leged-2001"], "unknown league 'leged-2001', did you mean 'legged-2001'? known: "),
-        (["evaluate", "--home", "still", "--scene", "kickoff"], "unknown scene 'kickoff', did you mean 'kick-off'?"),
+        (["evaluate", "--home", "still", "--scene", "kickoff"], "unknown scene 'kickoff', did you mean 'kick-off' or"),
         (["list", "observations", "--league", "x"], "unknown league 'x'"),
     ],
 )

@@ -199,7 +199,7 @@ CONDITIONS: list[tuple[str, Any, str]] = [
     ("league", "os:system", "is code, 'os:system', that is not run because a folder names it"),
     ("scene", "kick-off:0.5,os:system:0.5", "is code, 'kick-off:0.5,os:system:0.5', that is not run"),
     ("scene", 7, "scene must be a name, got 7"),
-    ("scene", "empty-goal", "is a drill"),
+    ("scene", "empty-goal", "evaluate_drills"),
     ("seed", -1, "seed must be a whole number"),
     ("rules", "chess", "chess"),
     ("pose", None, "pose must be 'particles', got None"),

@@ -86,7 +86,7 @@ def test_a_drill_is_played_by_those_whom_it_is_meant_for(tmp_path: Path) -> None
         ("--players 0", "players must be 1 to 11"),
         ("--home nobody", "unknown team"),
         ("--minutes -1", "minutes"),
-        ("--scene emty-goal", "unknown scene 'emty-goal', did you mean 'empty-goal'?"),
+        ("--scene emty-goal", "unknown scene 'emty-goal', did you mean 'empty-goal' or"),
         ("--scene empty-goal --minutes 1", "minutes must be None in a drill"),
         ("--episode drill", "needs a scene with a success test"),
         ("--scene dribble-past-two --players 1", "away must be 2 to"),
