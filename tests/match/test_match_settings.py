@@ -55,7 +55,8 @@ def test_what_is_free_changes_no_fingerprint_and_the_rest_does() -> None:
         "league": "middle-size-2006", "home": 2, "away": 2, "max_players": 7, "observe": "belief", "senses": "ideal",
         "pose": "particles", "sensors": {"dither": 0.1}, "memory": {"grouping": 2.0}, "actions": "full",
         "episode": "goal", "starts": "training", "rewards": "sparse", "placement": "drive", "keeper": 1,
-        "variation": {"ball.mass": (0.5, 1.0)}, "minutes": 3.0, "action_repeat": 2, "max_cycles": 9, "state_side": "away",
+        "variation": {"ball.mass": (0.5, 1.0)}, "minutes": 3.0, "action_repeat": 2, "max_cycles": 9,
+        "state_side": "away",
     }  # fmt: skip
     usual = make_settings(match_settings.MatchSettings()).fingerprint()
     for name in {item.name for item in fields(match_settings.MatchSettings)} - {"rules", "scene"}:
