@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from soccer_env.leagues.league import League
     from soccer_env.leagues.options import Options
     from soccer_env.leagues.rules import Rules
+    from soccer_env.match.variation import Variation
     from soccer_env.observations import Observation
     from soccer_env.rewards import Rewards
     from soccer_env.scenes import Scene
@@ -118,7 +119,7 @@ class MatchSettings(CheckedFields):
         '"league", "simple", "none", "league:pushing=False", or Rules; None: "league", or the rules of the drill',
         part="league",
     )
-    variation: Mapping[str, tuple[float, float]] | None = declare_setting(
+    variation: Mapping[str, tuple[float, float]] | Variation | None = declare_setting(
         None, "{name: (low, high)}: factors of the league's numbers, drawn for each episode, see match/variation.py"
     )
     rewards: Literal["default", "sparse", "training"] | Rewards = declare_setting(

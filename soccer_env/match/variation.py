@@ -45,7 +45,7 @@ def names_of(league: League) -> list[str]:
     names += [f"materials.{pair}.{name}" for pair in league.materials.pairs() for name in ("elasticity", "friction")]
     if league.sensors is None:  # of a replay, which repeats commands
         return names
-    sensors = [field.name for field in fields(league.sensors) if field_type_name(field) == "float"]  # type: ignore[arg-type]
+    sensors = [field.name for field in fields(league.sensors) if field_type_name(field) == "float"]
     return names + [f"sensors.{name}" for name in sensors if name.endswith(SENSED)]
 
 

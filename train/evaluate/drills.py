@@ -63,7 +63,7 @@ def chosen_drills(scene: str, league: League | str) -> list[Scene]:
 
 
 def run_drill(
-    league: League | str, scene: str | Scene, team: str | Team, runs: int, seed: int = SEED, threads: int = 2,
+    league: League | str, scene: str | Scene, team: Any, runs: int, seed: int = SEED, threads: int = 2,
     starts: Any = "held-out", senses: tuple[str, str] = ("sensors", "sensors"), **settings: Any,
 ) -> int:  # fmt: skip
     """Play a drill `runs` times; return the number of successes. `senses`: of the team, of the others."""

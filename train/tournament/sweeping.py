@@ -115,7 +115,7 @@ def sweep_figure(settings: EvaluateSettings, name: str, points: Sequence[SweepPo
 
 def sweep_table(points: Sequence[SweepPoint]) -> tuple[tuple[str, ...], list[tuple[str, ...]]]:
     """Return heads and rows of the table of a sweep."""
-    rows = [
+    rows: list[tuple[str, ...]] = [
         (
             point.home,
             f"{point.factor:g}",

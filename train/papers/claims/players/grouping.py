@@ -5,6 +5,7 @@ jersey counts.
 """
 
 from functools import partial
+from typing import Any
 
 import numpy as np
 
@@ -67,7 +68,7 @@ def ghosts_and_misses(visible: np.ndarray, filled: np.ndarray) -> tuple[np.ndarr
 
 def count_errors(batch: Batch, factor: float, jersey: float) -> dict[str, np.ndarray]:
     """Count ghosts, missed players, filled slots and visible players over all frames (M,), with a grouping factor."""
-    settings = {"memory": {"grouping": factor}, "sensors": {"jersey": jersey}}
+    settings: dict[str, Any] = {"memory": {"grouping": factor}, "sensors": {"jersey": jersey}}
     match = watching.stage_watchers(batch, MATCHES, away=2, league=OPEN_FLOOR, **settings)
     put_two_in_view(match, batch.rng())
     begin_scene(match)
