@@ -108,9 +108,7 @@ class MatchSettings(CheckedFields):
         "kick-off",
         'a name of `soccer list scenes`, several as "a:0.6,b:0.4", saved ones as "states:FILE", or a Scene',
     )
-    starts: Starts = declare_setting(
-        "all", 'of a drill: "all", those for "training", or the tenth that is "held-out" from it'
-    )
+    starts: Starts = declare_setting("all", 'of a drill: "all", those for "training", or the "held-out" tenth')
     episode: Literal["match", "goal", "drill"] = declare_setting(
         "match", 'it ends by the clock ("match"), at the first "goal", or by the test of a "drill"', replayed=True
     )

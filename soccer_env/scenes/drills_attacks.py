@@ -119,6 +119,6 @@ ATTACKS = (
     attack("two-v-two", "two of home's before two of away's and its goalkeeper", place_two_v_two, 3, HALF, HALF, HALF),
     attack("one-v-keeper", "one of home's with the ball alone before away's goalkeeper", place_alone_at_keeper, 1,
            HALF, "still"),
-    attack("keep-away", "two of home's keep the ball from one of away's until time is up", place_keep_away, 3,
+    attack("keep-away", "two of home's keep the ball from one of away's", place_keep_away, 3,
            HALF, HALF, success="home keeps the ball", time_limit=KEPT),
 )  # fmt: skip

@@ -144,7 +144,7 @@ def test_a_claims_page_shows_its_plot_its_cause_and_when_its_question_changed(si
     assert "](S15-1.png)" in found["claims/sacks_2001/S15.md"]
     s63 = found["claims/sacks_2001/S63.md"]
     assert "Likely cause: the paper; it does not tell the speed" in s63 and "\n[changed] 2026-11-22: before, " in s63
-    assert "claim-S63.png" in s63 and "| not [changed] |" in found["claims/sacks_2001/index.md"]
+    assert "](S63-1.png)" in s63 and "| not [changed] |" in found["claims/sacks_2001/index.md"]
 
 
 def test_every_option_of_every_command_stands_on_the_page_of_commands(site: Site) -> None:
