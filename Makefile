@@ -1,5 +1,5 @@
 # make match    the learned team plays a scripted one (installs what it needs into .venv, without torch);
-#               make match LEAGUE=middle-size-2006: the learned team of the middle size plays the team of 2006
+#               make match LEAGUE=legged-2001: the learned team of that league plays the team of 2001
 # make test     run the tests            make lint          ruff and mypy
 # make test-quick  run those that notice most of what an edit breaks (tests/quick.txt), in a minute or so
 # make test-all    run the whole trainings, claims and long soaks as well, as continuous integration does
@@ -28,7 +28,7 @@ PARALLEL := -n auto --dist worksteal  # a process for each core; one that is don
 .PHONY: match test test-all test-quick matrix lint types bench pictures docs tables tables-check sacks-table heinemann-table mutants fuzz examples lock clean
 .DELETE_ON_ERROR:
 
-LEAGUE := legged-2001
+LEAGUE := middle-size-2006
 TEAMS_legged-2001 := --home learned --away sacks-2001 --players 3
 TEAMS_middle-size-2006 := --home learned-2006 --away heinemann-2006 --players 2 --pose particles
 

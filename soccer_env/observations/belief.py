@@ -93,7 +93,8 @@ def observe_belief_slice(
     """Write the observations (M, R, n) of the robots in `rows`.
 
     Of `robots` only exact readings of the body are used, and of `matches` and `robots` what the referee counts.
-    sizes: robots of home and of away. A robot knows them: slots beyond stay empty, whatever it believes to see.
+    sizes: the numbers of robots of home and of away, which every robot knows. Slots for more players than there are
+    stay empty, also where a robot believes in more.
     """
     k = constants[0]
     diagonal = sqrt(k.pitch_length * k.pitch_length + k.pitch_width * k.pitch_width)

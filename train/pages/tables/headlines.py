@@ -11,7 +11,7 @@ from soccer_env.types import WORLD
 
 MATCHES = (  # table, home, away, minutes of a match, words of the row
     ("learned", "learned", "sacks-2001", 4.0, "the learned team against the team of the 2001 paper"),
-    ("learned", "learned", "chaser", 10.0, "the learned team against `chaser`, a scripted team"),
+    ("learned", "learned", "chaser", 10.0, "the learned team against `chaser`"),
     ("sacks", "sacks-2001", "chaser", 4.0, "the team of the 2001 paper against `chaser`"),
 )
 LEAGUE, RULES = "legged-2001", "league"

@@ -168,10 +168,10 @@ def compare_turns_at_wall(batch: Batch) -> Samples:
 S28 = claim(
     "S28", "3.4", "With the ball over 30 degrees aside, as at a wall, backing away and rotating suffices.",
     f"{WALL_RUNS} runs a batch: a robot faces out, a paw at the board's foot (drill facing-wall), the ball "
-    f"{ASIDE[0]:g} to {ASIDE[1]:g} degrees aside, where its head sees it; of those that begin to recover within "
-    f"{EARLY:g} s, got within {LONGEST:g} s, with the rule and with sidesteps always; all of them, also without any "
-    "recovery. Beside it the drill itself, the ball behind the robot. The paper: \"the robot need only back away from "
-    "the wall and face the ball\"; it does not say that sidesteps would do worse.",
+    f"{ASIDE[0]:g} to {ASIDE[1]:g} degrees aside, where its head sees it. Of the robots that begin to recover within "
+    f"{EARLY:g} s: who gets the ball within {LONGEST:g} s, with the rule and with sidesteps always; of all robots the "
+    "same, also without any recovery. Beside it the drill itself, the ball behind the robot. The paper: \"the robot "
+    "need only back away from the wall and face the ball\"; it does not say that sidesteps would do worse.",
     counted("those that recover: got the ball", "recovered rotate", "recovers", at_least=90.0),
     measured("all: got the ball, less without any recovery",
              lambda s: 100.0 * mean(s["aside rotate"] - s["aside none"]), unit="pp", above=0.0),
