@@ -17,7 +17,7 @@ from soccer_env.guards.checking import check_choice, check_whole_number, raise_n
 from soccer_env.leagues.league import League
 from soccer_env.match.arguments import StateSide
 from soccer_env.match.settings import Settings
-from soccer_env.observations.belief import BARRED, BRIEF, CARD, LASTING, LONG, PLAY, SHORT, STILL
+from soccer_env.observations.belief import BARRED, BRIEF, CARD, LASTING, LONG, PLAY, SHORT, STILL, TRESPASS
 from soccer_env.observations.entry import FIELD, NONE, ROBOT, TEAM, TURN, Entry, X, Y, copy_to_group
 from soccer_env.types import AWAY, HOME, MAX_TEAM, Phase
 
@@ -67,6 +67,7 @@ PLAYER = (
     Entry("fallen", "1 fallen, 0 upright", "1", NONE),
     Entry("pushing", "time for which it has pushed an opponent, as the referee counts", BRIEF, NONE),
     Entry("holding", "time for which it has held the ball, as the referee counts", BRIEF, NONE),
+    Entry("trespass", TRESPASS, BRIEF, NONE),
     Entry("card", CARD, "1", NONE),
     Entry("barred", BARRED, "1", NONE),
     Entry("penalty", "time left of its penalty", LASTING, NONE),
@@ -245,6 +246,7 @@ def robot_numbers(league: League, records: Records) -> dict[str, Any]:
         "fallen": robots["fallen"] > 0.0,
         "pushing": soft_time(np.maximum.reduce([robots[x] for x in ("pushing", "keeper_pushing", "charging")]), SHORT),
         "holding": soft_time(np.maximum(robots["holding"], robots["handling"]), SHORT),
+        "trespass": soft_time(np.maximum.reduce([robots[x] for x in ("trespass", "area_clock", "crowd_clock")]), SHORT),
         "ball_age": soft_time(records["beliefs"]["ball"]["age"], SHORT),
         "card": robots["yellow"] % 2,
         "barred": taker[:, None] == np.arange(robots.shape[1]),

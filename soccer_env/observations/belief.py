@@ -48,12 +48,14 @@ BALL_MORE = copy_to_group(
     Entry("ball_age", "time since the ball was seen", BRIEF, NONE),
 )
 STILL = "time for which the ball has stayed in place, as the rule of stuck balls counts"
+TRESPASS = "time for which the robot has been in an area where it may not stay, as the referee counts"
 CARD = "1 after a yellow card, with which the next one sends the robot off; else 0"
 BARRED = "1: the robot has taken the restart, and may not touch the ball before another robot has; else 0"
 CLOCKS = copy_to_group(
     "clocks",
     Entry("own_pushing", "time for which the robot has pushed an opponent, as the referee counts", BRIEF, NONE),
     Entry("own_holding", "time for which the robot has held the ball, as the referee counts", BRIEF, NONE),
+    Entry("own_trespass", TRESPASS, BRIEF, NONE),
     Entry("own_penalty", "time left of the own penalty", LASTING, NONE),
     Entry("own_card", CARD, "1", NONE),
     Entry("own_barred", BARRED, "1", NONE),
@@ -181,6 +183,7 @@ def write_clocks(match, robot, situation, r, row):
     """Write what the referee counts of robot r into an observation; each league has its own pushing and holding."""
     row.own_pushing = soft_scale(max(robot.pushing, robot.keeper_pushing, robot.charging), SHORT)
     row.own_holding = soft_scale(max(robot.holding, robot.handling), SHORT)
+    row.own_trespass = soft_scale(max(robot.trespass, robot.area_clock, robot.crowd_clock), SHORT)
     row.own_penalty = soft_scale(situation.penalty, LONG)
     row.own_card = robot.yellow % 2
     row.own_barred = 1.0 if match.taker == r and match.phase == PLAY else 0.0

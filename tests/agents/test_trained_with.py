@@ -74,7 +74,7 @@ def test_a_policy_that_observes_the_truth_is_said_to_need_ideal_senses(caplog: p
     (record,) = caplog.records
     assert record.name == LOG.name and "'knows' observes the truth" in record.message
     assert "--senses ideal" in record.message
-    shown = "observe='belief', actions='box': slots of 99 inputs, layers of 32, 4"
+    shown = "observe='belief', actions='box': slots of 100 inputs, layers of 32, 4"
     assert repr(random_policy(32)) == f"Policy('lively', 'legged-2001', {shown})"
 
 
@@ -141,9 +141,9 @@ def test_the_policy_is_small_and_plays_by_beliefs() -> None:
     policy = load(BUNDLED)
     assert BUNDLED.stat().st_size < 1_000_000
     assert (policy.name, policy.league, policy.observe) == ("learned", "legged-2001", "belief")
-    clocks = ("own_pushing", "own_holding", "own_penalty", "own_card", "own_barred", "ball_still")  # of later
+    names_of_later = {f"own_{name}" for name in ("pushing", "holding", "trespass", "penalty", "card", "barred")}
     names = entry_names(find_league("legged-2001"), "belief")
-    assert list(policy.inputs) == [name for name in names if name not in clocks]
+    assert list(policy.inputs) == [name for name in names if name not in names_of_later | {"ball_still"}]
     assert make_team("learned").name == "learned"
 
 

@@ -122,7 +122,7 @@ def test_seven_numbers_move_the_head_and_all_are_clipped() -> None:
 
 def test_tensors_of_torch_are_taken_off_their_graph() -> None:
     torch = pytest.importorskip("torch")
-    network = torch.nn.Linear(99, 4)
+    network = torch.nn.Linear(100, 4)
     team = team_of_function(lambda seen: torch.tanh(network(torch.as_tensor(seen))))
     match = Match(home=1, away=1, controllers={"home": team, "away": team}, seed=1)
     match.step()

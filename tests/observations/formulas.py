@@ -50,8 +50,10 @@ def clocks_of(robot: Any, name: str) -> Numbers:
     """Return what the referee counts of a robot; each league counts kinds of pushing and holding of its own."""
     pushing = max(robot["pushing"], robot["keeper_pushing"], robot["charging"])
     holding = max(robot["holding"], robot["handling"])
+    trespass = max(robot["trespass"], robot["area_clock"], robot["crowd_clock"])
     return {
         f"{name}pushing": soft(pushing, 1.0), f"{name}holding": soft(holding, 1.0),
+        f"{name}trespass": soft(trespass, 1.0),
         f"{name}penalty": soft(robot["penalty"], 10.0), f"{name}card": float(robot["yellow"] % 2),
     }  # fmt: skip
 

@@ -58,6 +58,18 @@ def test_middle_size_charges_and_balls_kept_count_as_pushing_and_holding() -> No
     assert named(match, 0)["own_pushing"] == 0.5 and named(match, 1)["own_holding"] == pytest.approx(0.2)
 
 
+def test_time_in_a_forbidden_area_is_told_to_the_robot_itself_and_to_the_state() -> None:
+    match = Match(home=3, away=1, seed=1, observe="belief")
+    match.robots["trespass"][0, :3] = 0.0, 1.0, -2.0  # below 0: it has that long to walk out
+    match.batch.observe_anew(0, 1)
+    assert [named(match, r)["own_trespass"] for r in range(3)] == [0.0, 0.5, 0.0]
+    assert [state_of(match)[f"home_{r}_trespass"] for r in range(3)] == [0.0, 0.5, 0.0]
+    other = Match("middle-size-2006", home=1, away=1, seed=1, observe="belief")
+    other.robots["area_clock"][0, 0], other.robots["crowd_clock"][0, 1] = 1.0, 9.0
+    other.batch.observe_anew(0, 1)
+    assert [named(other, r)["own_trespass"] for r in range(2)] == pytest.approx([0.5, 0.9])
+
+
 def test_a_card_and_the_ban_on_a_second_touch_are_told_to_the_robot_itself_and_to_the_state() -> None:
     match = Match("middle-size-2006", home=1, away=2, seed=1, observe="belief")
     set_phase(match, 0)
