@@ -31,7 +31,7 @@ from pettingzoo import AECEnv, ParallelEnv
 
 from soccer_env.api import report
 from soccer_env.api.infos import add_action_masks, make_report
-from soccer_env.api.opponents import OpponentNames, with_opponents
+from soccer_env.api.opponents import OpponentNames, changed_by
 from soccer_env.api.report import Infos
 from soccer_env.api.shown import ShowsMatch
 from soccer_env.api.turn_env import OrderedSoccer, TurnSoccer
@@ -99,13 +99,14 @@ class ParallelSoccer(ShowsMatch, ParallelEnv[str, np.ndarray, Any]):
 
         A seed restarts the random streams of the match; without one the match goes on to its next episode. The option
         "match_seed" is one of a Match's `seeds`: this env then plays that match. The option "opponents" is a team, its
-        name or a Lineup that plays against the learners from now on; `match` is then another object. ValueError, and
-        the running episode goes on, for anything else.
+        name or a Lineup that plays against the learners from now on; "home" and "away" are numbers of robots, within
+        max_players; "scene" is a scene. `match` is then another object. ValueError, and the running episode goes on,
+        for anything else.
         """
         wanted = report.check_options(options, report.OPTIONS)
         if seed is not None and "match_seed" in wanted:
             raise ValueError("reset takes a seed or the option match_seed, got both")
-        match = with_opponents(self.match, wanted["opponents"]) if "opponents" in wanted else self.match
+        match = changed_by(self.match, wanted)
         match.reset(seed=seed, seeds=[wanted["match_seed"]] if "match_seed" in wanted else None)
         self._switch_match(match)
         self.agents, self._begun = list(self.possible_agents), True

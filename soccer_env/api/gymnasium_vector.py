@@ -10,7 +10,7 @@ from gymnasium.vector.utils import batch_space
 from soccer_env.actions import action_masks
 from soccer_env.api.infos import FlatInfoArrays
 from soccer_env.api.nested_arrays import NestedInfoArrays
-from soccer_env.api.opponents import OpponentNames, with_opponents
+from soccer_env.api.opponents import OpponentNames, changed_by
 from soccer_env.api.report import MatchScreen, check_infos_kind, check_options, check_render_mode
 from soccer_env.api.shown import ShowsMatch
 from soccer_env.guards.names import Made
@@ -30,7 +30,7 @@ MODES: dict[AutoresetMode, Literal["next_step", "same_step"]] = {
     AutoresetMode.NEXT_STEP: "next_step",
     AutoresetMode.SAME_STEP: "same_step",
 }
-OPTIONS = ("match_seeds", "opponents")  # of reset
+OPTIONS = ("match_seeds", "opponents", "home", "away", "scene")  # of reset
 
 
 class SoccerVectorEnv(ShowsMatch, VectorEnv[np.ndarray, Any, np.ndarray]):
@@ -79,13 +79,14 @@ class SoccerVectorEnv(ShowsMatch, VectorEnv[np.ndarray, Any, np.ndarray]):
 
         seed: one seed for all matches (match 0 equals `SoloSoccer` with this seed), or a seed for each match, which
         then equals `SoloSoccer` with that seed. The option "match_seeds" takes the `seeds` of a Match, "opponents" a
-        team or Lineup that plays from now on. ValueError, and the running episodes go on, for anything else.
+        team or Lineup that plays from now on, "home" and "away" numbers of robots within max_players, "scene" a scene.
+        ValueError, and the running episodes go on, for anything else.
         """
         wanted = check_options(options, OPTIONS)
         seeds = wanted.get("match_seeds")
         if seed is not None and seeds is not None:
             raise ValueError("reset takes a seed or the option match_seeds, got both")
-        match = with_opponents(self.match, wanted["opponents"]) if "opponents" in wanted else self.match
+        match = changed_by(self.match, wanted)
         if isinstance(seed, (list, tuple, np.ndarray)):
             match.reset(seeds=seeds_of_matches(seed))
         else:

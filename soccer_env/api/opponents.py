@@ -1,5 +1,6 @@
-"""The opponents of the learners of an API: their names for infos, and new opponents at a reset."""
+"""The opponents of the learners of an API: their names for infos, and what a reset changes."""
 
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -8,6 +9,7 @@ from soccer_env.match import Match
 from soccer_env.match.arguments import MatchArguments, select_fields
 from soccer_env.match.squads import Squad, playing_team_names
 
+CHANGES = ("opponents", "home", "away", "scene")  # options of a reset that need another Match
 LEARNER = "learner"  # name in infos of a robot that no team plays
 
 
@@ -53,25 +55,37 @@ def opponents_of(match: Match, team: int) -> np.ndarray:
     return names
 
 
-def with_opponents(match: Match, opponents: Any) -> Match:
-    """Return a copy of a match with new opponents for its learners, before its next episode.
+def changed_by(match: Match, options: Mapping[str, Any]) -> Match:
+    """Return the match that these of a reset's options, CHANGES, ask for, before its next episode.
 
-    ValueError, and `match` can go on, if the learners play on both sides or if these opponents cannot play.
+    It is `match` itself without these options, else a new one. ValueError, and `match` can go on, if the learners play
+    on both sides or would be others, or if these teams cannot play.
     """
+    wanted = {name: options[name] for name in CHANGES if name in options}
+    if not wanted:
+        return match
+    if match.recorder is not None:
+        raise ValueError(f"{' and '.join(wanted)} cannot change while a Recorder writes the match down: stop it first")
+    arguments = select_fields(match.arguments, MatchArguments)
+    if "opponents" in wanted:
+        arguments |= against(match, arguments["controllers"] or {}, wanted.pop("opponents"))
+    new_match = Match(**{**arguments, **wanted, "seed": 0, "seeds": None})
+    if not np.array_equal(new_match.learns, match.learns):
+        new_match.close()
+        raise ValueError(f"{' and '.join(wanted)} can change within max_players, and with the same learners; give both")
+    new_match.seeds[:], new_match.matches["episode"] = match.seeds, match.matches["episode"]
+    return new_match
+
+
+def against(match: Match, controllers: Mapping[str, Any], opponents: Any) -> dict[str, Any]:
+    """Return the arguments by which other opponents play against the learners of a match."""
     sides = sorted({match.agents[row].split("_")[0] for row in np.flatnonzero(match.learns)})
     if len(sides) != 1 or opponents is None:
         raise ValueError(
             f"the option opponents must be a team where one side has all the learners, got {opponents!r} for learners "
             f"of {' and '.join(sides)}"
         )
-    if match.recorder is not None:
-        raise ValueError("opponents cannot change while a Recorder writes the match down: stop it first")
-    arguments = select_fields(match.arguments, MatchArguments)
     other = "away" if sides == ["home"] else "home"
-    controllers = {name: team for name, team in (arguments["controllers"] or {}).items() if not name.startswith(other)}
+    others = {name: team for name, team in controllers.items() if not name.startswith(other)}
     dropped = "opponents" if other == "away" else "teammates"
-    new_match = Match(
-        **{**arguments, dropped: None, "controllers": {**controllers, other: opponents}, "seed": 0, "seeds": None}
-    )
-    new_match.seeds[:], new_match.matches["episode"] = match.seeds, match.matches["episode"]
-    return new_match
+    return {dropped: None, "controllers": {**others, other: opponents}}

@@ -14,7 +14,7 @@ from soccer_env.statistics.maps import maps_of_team
 from soccer_env.types import AWAY, HOME, QUIET, ROBOT_EVENTS, Phase
 
 RENDER_MODES = ("rgb_array", "human")
-OPTIONS = ("match_seed", "opponents")  # of reset
+OPTIONS = ("match_seed", "opponents", "home", "away", "scene")  # of reset
 IGNORED_OPTION = "options"  # PettingZoo's parallel_api_test passes it to every env
 TEAMS = ("home", "away")
 PHASES = tuple(phase.name.lower().replace("_", "-") for phase in Phase)

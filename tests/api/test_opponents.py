@@ -99,6 +99,32 @@ def test_a_match_that_is_written_down_keeps_its_opponents_and_so_do_two_sides_th
     env.reset(options={"opponents": "chaser"})
 
 
+def test_a_reset_changes_the_team_sizes_within_max_players() -> None:
+    settings: dict[str, Any] = {"max_players": 3, "max_cycles": 3, "opponents": "chaser", "infos": "nested"}
+    env = soccer_v0.parallel_env(home=1, away=1, **settings)
+    plain = soccer_v0.parallel_env(home=2, away=3, **settings)
+    env.reset(seed=5), plain.reset(seed=5)
+    while env.agents:
+        env.step(still_actions(env)), plain.step(still_actions(plain))
+    observations, infos = env.reset(options={"home": 2, "away": 3})
+    plain.reset()
+    assert [agent for agent in env.agents if infos[agent]["active"]] == ["home_0", "home_1"]
+    assert observations.keys() == set(env.possible_agents) == {"home_0", "home_1", "home_2"}
+    env.step(still_actions(env)), plain.step(still_actions(plain))
+    assert env.match.state_hash() == plain.match.state_hash()
+    match, wrong = env.match, {"max_players must be 4 to 11, got 3": {"home": 4}, "unknown scene 'x'": {"scene": "x"}}
+    for told, options in (wrong | {"away": {"away": "2"}}).items():
+        with refused(match, told):
+            env.reset(options=options)
+        assert env.match is match
+    env.reset(options={"scene": "empty-goal"})
+    assert env.match.settings.scene.name == "empty-goal" and env.match.settings.home == 2
+    tight = soccer_v0.parallel_env(home=1, away=1, max_cycles=3)
+    tight.reset(seed=1)
+    with pytest.raises(ValueError, match="within max_players"):
+        tight.reset(options={"home": 2})
+
+
 @pytest.mark.parametrize("agent", ["home_1", "away_0"])
 def test_the_gymnasium_env_takes_others_on_either_side(agent: str) -> None:
     settings = {"agent": agent, "opponents": "still", "teammates": "random", "infos": "nested"}
