@@ -64,7 +64,7 @@ def test_rows_of_the_truth_are_evaluated_with_the_flag_that_the_error_names(tmp_
 def test_rows_of_beliefs_are_evaluated_as_the_error_says(tmp_path: Path, evaluated: Any) -> None:
     path = saved(tmp_path, observe="belief", action_repeat=8)
     said = evaluated(path, code=2)
-    assert "takes 99 inputs, 'truth' of 'legged-2001' has 73: give observe=belief" in said
+    assert "takes 100 inputs, 'truth' of 'legged-2001' has 73: give observe=belief" in said
     evaluated(f"{path}:observe=belief,action_repeat=8,at_once=False")
     assert "with state=True?" in evaluated(saved(tmp_path, state=True), code=2)
 
