@@ -42,7 +42,7 @@ def sources(folder: Path) -> dict[str, tuple[bytes, Callable[[Path], Any]]]:
     found: dict[str, tuple[bytes, Callable[[Path], Any]]] = {
         "safetensors": (GOOD, load),
         "onnx": (small(*nodes, constants=constants).SerializeToString(), lambda path: plays(path.read_bytes())),
-        "toml": (BUNDLED.joinpath("legged-2001.toml").read_bytes(), settings_of),
+        "toml": (BUNDLED.joinpath("first-win.toml").read_bytes(), settings_of),
         "json": (maps, maps_from_result),
     }
     with contextlib.suppress(ImportError):

@@ -16,7 +16,6 @@ from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from soccer_env.leagues.rules import SWITCHES, rule_set
 from soccer_env.observations import entry_names
-from soccer_env.rewards import NAMES
 from soccer_env.teams import Lineup, make_team
 from soccer_env.train.evaluate import EvaluateSettings, evaluate
 from soccer_env.train.ppo.toml_file import settings_of
@@ -134,9 +133,6 @@ def test_a_file_keeps_every_switch_and_number(tmp_path: Path) -> None:
     assert set(SWITCHES) <= set(read.rules) and rules_known.rule_differences(read.rules, under("simple").rules)
 
 
-LEAST_STEPS = 0.99  # [1] of the steps asked for: a run ends with whole rollouts
-
-
 def test_the_policy_is_small_and_plays_by_beliefs() -> None:
     policy = load(BUNDLED)
     assert BUNDLED.stat().st_size < 1_000_000
@@ -147,39 +143,23 @@ def test_the_policy_is_small_and_plays_by_beliefs() -> None:
     assert make_team("learned").name == "learned"
 
 
-ALWAYS = {"hold_keeper": 0.0, "teacher_commands": False}  # settings that there were then; every run has them so now
-BY_REWARDS = {  # settings of then and now that imitation does not read
-    "gamma", "gae_lambda", "clip", "decay", "entropy", "gradient_limit", "value_weight", "target_kl", "teacher_until",
-    "learning_rate", "noise", "curriculum", "normalise_rewards", *NAMES,
-}  # fmt: skip
-
-
-def test_it_was_trained_by_the_settings_beside_it() -> None:
-    policy, settings = load(BUNDLED), settings_of(BUNDLED.with_suffix(".toml"))
-    then = json.loads(policy.made["settings"])
-    recorded = {name: value for name, value in then.items() if name not in BY_REWARDS}
-    now = {name: getattr(settings, name, ALWAYS.get(name)) for name in recorded}
-    assert settings.steps == 0 and recorded == now | {"start": Path(settings.start).name}
-    assert policy.made["seed"] == str(settings.seed)
-    assert LEAST_STEPS * settings.steps <= int(policy.made["step"]) <= settings.steps + 100_000
-    assert (policy.action_repeat, policy.mirror) == (settings.action_repeat, settings.mirror)
-    assert tuple(len(bias) for bias in policy.biases[:-1]) == settings.hidden_sizes
-    evaluations = BUNDLED.with_name("legged-2001.evaluations.jsonl").read_text(encoding="utf-8").splitlines()
-    assert [json.loads(line)["step"] for line in evaluations][-1] == int(policy.made["step"])
-
-
 def test_it_beats_the_papers_team() -> None:
     result = evaluate(EvaluateSettings(home="learned", away="sacks-2001", matches=24, minutes=2.0, players=3, seed=11))
     assert result.goal_difference.mean > 0.0
     assert result.points.mean > 0.5
 
 
+LEAST_STEPS = 0.99  # [1] of the steps asked for: a run ends with whole rollouts
+IMITATION = {"teacher": "", "teacher_steps": 300_000, "teacher_epochs": 12, "rounds": 0, "ideal_share": 0.0}  # of then
+
+
 def test_the_policy_of_the_middle_size_was_trained_by_rewards_alone_and_beats_the_team_of_2006_at_two_a_side() -> None:
     policy, settings = load(BUNDLED_2006), settings_of(BUNDLED_2006.with_suffix(".toml"))
     assert (policy.name, policy.league, policy.observe) == ("learned-2006", "middle-size-2006", "belief")
     then = json.loads(policy.made["settings"])
+    assert {name: then.pop(name) for name in IMITATION} == IMITATION, "by rewards alone"
     assert then == {name: getattr(settings, name) for name in then} | {"start": Path(settings.start).name}
-    assert settings.teacher == "" and LEAST_STEPS * settings.steps <= int(policy.made["step"])
+    assert LEAST_STEPS * settings.steps <= int(policy.made["step"])
     assert BUNDLED_2006.stat().st_size < 1_000_000 and make_team("learned-2006").name == "learned-2006"
     contest = EvaluateSettings(
         league="middle-size-2006",
@@ -197,16 +177,14 @@ def test_the_policy_of_the_middle_size_was_trained_by_rewards_alone_and_beats_th
 
 @pytest.mark.parametrize("recipe", sorted(BUNDLED.parent.glob("*.toml")), ids=lambda path: path.stem)
 def test_every_bundled_recipe_is_of_settings_that_there_are(recipe: Path) -> None:
-    assert settings_of(recipe).name == {"legged-2001": "learned", "legged-2001-short": "short"}.get(
-        recipe.stem, recipe.stem
-    )
+    assert settings_of(recipe).name == recipe.stem
 
 
 def test_a_bundled_setting_is_found_by_its_name_anywhere(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
-    for name in ("legged-2001", "legged-2001.toml"):
-        assert settings_of(Path(name)) == settings_of(BUNDLED.with_suffix(".toml"))
-    Path("legged-2001").write_text("steps = 5000\n", encoding="utf-8")  # a file of one's own comes first
-    assert settings_of(Path("legged-2001")).steps == 5000
+    for name in ("learned-2006", "learned-2006.toml"):
+        assert settings_of(Path(name)) == settings_of(BUNDLED_2006.with_suffix(".toml"))
+    Path("learned-2006").write_text("steps = 5000\n", encoding="utf-8")  # a file of one's own comes first
+    assert settings_of(Path("learned-2006")).steps == 5000
     with pytest.raises(ValueError, match=r"nobody\.toml cannot be read"):
         settings_of(Path("nobody.toml"))

@@ -3,10 +3,10 @@
     settings.py        the options of the command                  toml_file.py      options from a file
     options.py         their texts and ranges                      training.py       a run: its state and its output
     checks.py          check that a run is playable                updating/         rollouts and updates of PPO
-    vec_env.py         many matches as one VecEnv                  match_blocks.py   blocks of sizes and senses
+    vec_env.py         many matches as one VecEnv                  match_blocks.py   blocks of team sizes
     curriculum.py      the choice of opponents                     stages.py         stages of team sizes and opponents
     networks.py        actor and critic                            recurrent.py      the actor's memory
-    critic_state.py    the critic's view of the truth              teaching/         a scripted teacher, before rewards
+    critic_state.py    the critic's view of the truth              starts.py         networks of a file or another run
     learner.py         both in turn, and their state               checkpoints.py    save and resume a run
     run_folder.py      the files of a run                          reports.py        its log, evaluations and curve
     reporting/         other logs, the report as a page
@@ -39,17 +39,15 @@ def train(settings: TrainSettings) -> TrainResult:
     from soccer_env.train.ppo.checks import check_playable, make_curriculum, make_matches
     from soccer_env.train.ppo.learner import Learner
     from soccer_env.train.ppo.run_folder import RunFolder
-    from soccer_env.train.ppo.teaching.lessons import Lessons
     from soccer_env.train.ppo.training import Training
 
     check_playable(settings)  # every team, size and time, before a folder is made
     with RunFolder(settings) as folder:
         curriculum = make_curriculum(settings)  # the opponents, and how often each is met
         learner = Learner(settings, make_matches(settings, curriculum, settings.stages[0].sizes))  # a row a robot
-        lessons = Lessons(settings, learner.network)  # of a scripted team
         with Training(settings, folder, curriculum, learner) as run:
             if not run.restore_checkpoint():
-                run.begin(lessons)  # the actor learns what a scripted team does, or begins as a policy file
+                run.begin()  # from nothing, as a policy file, or as another run
             while learner.steps < settings.steps:
                 with run.timed("rollout"):
                     learner.collect_rollout(run.show_step)

@@ -17,8 +17,6 @@ from soccer_env.agents.policy_file import load
 from soccer_env.agents.recurrent import memory_units
 from soccer_env.guards.checking import short_repr
 from soccer_env.leagues.league import League
-from soccer_env.match import Match
-from soccer_env.teams import CompiledTeam, make_team
 from soccer_env.train.ppo.curriculum import Curriculum
 from soccer_env.train.ppo.learner import check_device
 from soccer_env.train.ppo.match_blocks import split_matches
@@ -44,22 +42,14 @@ def check_playable(settings: TrainSettings) -> None:
     policy = replace(blank, made=policy_origin(settings, 0))
     with name_setting_in_error("opponents"):
         curriculum = make_curriculum(settings)
-        for sizes, share in product(settings.sizes, (0.0, 1.0) if settings.ideal_share else (0.0,)):
-            make_matches(replace(settings, matches=1, ideal_share=share), curriculum, [sizes]).close()
+        for sizes in settings.sizes:
+            make_matches(replace(settings, matches=1), curriculum, [sizes]).close()
     check_minutes(settings, league)
     for stage in settings.stages:
-        split_matches(stage.sizes, settings.matches, settings.ideal_share)
+        split_matches(stage.sizes, settings.matches)
     with name_setting_in_error("evaluate_against"):
         for sizes, opponent in product(settings.sizes, settings.judges):
             check_contest(policy, opponent, settings, sizes)
-    if settings.teacher:
-        with name_setting_in_error("teacher"):
-            if settings.rounds and not isinstance(make_team(settings.teacher), CompiledTeam):
-                raise ValueError(
-                    f"rounds=0 is needed for {settings.teacher!r}: a team in Python plays, but cannot advise"
-                )
-            for sizes, (_, senses) in product(settings.sizes, settings.kinds_of_senses):
-                make_lesson_match(settings, sizes, senses).close()
 
 
 def check_start(settings: TrainSettings, blank: Policy) -> None:
@@ -109,15 +99,6 @@ def check_contest(policy: Any, opponent: str, settings: TrainSettings, sizes: Si
     contest.start("away", [0]).close()
 
 
-def make_lesson_match(settings: TrainSettings, sizes: tuple[int, int], senses: dict[str, str]) -> Match:
-    """Make a match for the teacher with the settings of the matches to record, to check that it can play."""
-    players = {"home": settings.teacher, "away": settings.opponent_names[0]}
-    return Match(
-        settings.played, home=sizes[0], away=sizes[1], controllers=players, scene=settings.scene,
-        observe=settings.observe, senses=senses, pose=settings.pose, seed=0,
-    )  # fmt: skip
-
-
 @cache
 def digest(path: str) -> str:
     """Return the SHA-256 of a file at the first call, since the file may move during a run."""
@@ -156,9 +137,9 @@ def make_matches(settings: TrainSettings, curriculum: Curriculum, sizes: Sequenc
     decisions = round(60.0 * settings.minutes / settings.decision_time)
     return SoccerVecEnv(
         settings.played, scene=settings.scene, players=sizes, matches=settings.matches,
-        ideal_share=settings.ideal_share, opponents=curriculum.lineup, action_repeat=settings.action_repeat,
-        rewards=settings.paid, gamma=settings.gamma, state=settings.critic_room, stagger=True,
-        seed=settings.seed + TRAINING_SEED, threads=settings.threads, observe=settings.observe,
-        senses=senses_of(settings.senses), pose=settings.pose, minutes=2.0 * settings.minutes,
-        max_cycles=max(decisions - 1, 1), variation=split_variation(settings.variation),
+        opponents=curriculum.lineup, action_repeat=settings.action_repeat, rewards=settings.paid,
+        gamma=settings.gamma, state=settings.critic_room, stagger=True, seed=settings.seed + TRAINING_SEED,
+        threads=settings.threads, observe=settings.observe, senses=senses_of(settings.senses), pose=settings.pose,
+        minutes=2.0 * settings.minutes, max_cycles=max(decisions - 1, 1),
+        variation=split_variation(settings.variation),
     )  # fmt: skip

@@ -1,4 +1,4 @@
-"""Blocks of matches in a SoccerVecEnv: the division by team sizes and senses, the start, and checks of arguments.
+"""Blocks of matches in a SoccerVecEnv: the division by team sizes, the start, and checks of arguments.
 
 A block is a Match of up to `BLOCK` matches that one thread plays by itself for a whole decision.
 """
@@ -56,26 +56,19 @@ def check_request(
     check_whole_number("threads", threads, 1, 256)
 
 
-def split_matches(
-    players: Sequence[tuple[int, int]], matches: int, ideal_share: float
-) -> list[tuple[tuple[int, int], int, dict[str, str]]]:
-    """Divide matches among team sizes, a share with ideal senses; return (sizes, matches, settings) of each block.
+def split_matches(players: Sequence[tuple[int, int]], matches: int) -> list[tuple[tuple[int, int], int]]:
+    """Divide matches among team sizes; return (sizes, matches) of each block.
 
     Each team size gets nearly as many home robots as any other: 2 v 2 has half the matches of 1 v 1.
     """
-    if not 0.0 <= ideal_share <= 1.0:
-        raise ValueError(f"ideal_share must be a number from 0 to 1, got {ideal_share!r}")
-    blocks: list[tuple[tuple[int, int], int, dict[str, str]]] = []
+    blocks: list[tuple[tuple[int, int], int]] = []
     shares = np.array([1.0 / home for home, _ in players])
     ends = np.round(np.cumsum(shares) / shares.sum() * matches).astype(int).tolist()
     for sizes, start, end in zip(players, [0, *ends], ends, strict=False):
         count = end - start
-        ideal = round(ideal_share * count)
-        if count < 1 or (ideal_share > 0.0 and ideal < 1) or (ideal_share < 1.0 and ideal == count):
-            kinds = f"{len(players)} team sizes" + (", by either senses" if 0.0 < ideal_share < 1.0 else "")
-            raise ValueError(f"matches must be at least one for each of {kinds}, got {matches}")
-        for number, senses in ((count - ideal, {}), (ideal, {"senses": "ideal"})):
-            blocks += [(sizes, part, senses) for part in split_evenly(number, -(-number // BLOCK))]
+        if count < 1:
+            raise ValueError(f"matches must be at least one for each of {len(players)} team sizes, got {matches}")
+        blocks += [(sizes, part) for part in split_evenly(count, -(-count // BLOCK))]
     return blocks
 
 

@@ -22,7 +22,7 @@ MOST = 65_536
 BOUNDS: dict[str, tuple[Any, ...]] = {
     **dict.fromkeys(("action_repeat", "batch", "epochs", "evaluate_every", "past_every", "stage_steps"), Range(1)),
     **dict.fromkeys(("rollout", "matches"), Range(1, MOST)),
-    **dict.fromkeys(("steps", "past", "teacher_steps", "teacher_epochs", "rounds", "critic_first"), FROM_ZERO),
+    **dict.fromkeys(("steps", "past", "critic_first"), FROM_ZERO),
     **dict.fromkeys(("learning_rate", "target_kl", "stage_share"), SHARE),
     **dict.fromkeys(("discount_half_life", "advantage_half_life"), SECONDS),
     **dict.fromkeys(("minutes", "evaluate_minutes"), MINUTES),
@@ -31,7 +31,6 @@ BOUNDS: dict[str, tuple[Any, ...]] = {
     "memory": Range(0, MAX_MEMORY),
     "torch_threads": Range(1, 256),
     "noise": Range(0.0, 10.0, above=True),
-    **dict.fromkeys(("ideal_share",), Range(0.0, 1.0)),
     "seed": Range(0, MAX_SEED),
 }
 
@@ -49,10 +48,7 @@ class PlainSettings:
     """Away teams, separated by commas: names of `soccer list teams`, policy files, or MODULE:NAME. Evenly matched
     opponents are drawn more often. One list for all stages, or one for each, separated by semicolons."""
     steps: int = 2_000_000
-    """Training length in decisions of learning robots. Raise it to train a finished run further; 0 only imitates the
-    teacher."""
-    teacher: str = "chaser"
-    """Team that the actor imitates before PPO begins; "" for none."""
+    """Training length in decisions of learning robots. Raise it to train a finished run further."""
     action_repeat: int = 8
     """Control steps for which a decision is kept; 8 are one gait step of the legged league."""
     out: Path = Path("runs/train")
@@ -91,29 +87,20 @@ class PlainSettings:
     """Source of the observations; truth is for policies that play with ideal senses."""
     senses: str = "sensors"
     """What fills beliefs: sensors, or ideal (the truth); home=ideal,away=sensors for one each."""
-    ideal_share: float = 0.0
-    """Share of the matches of each team size in which all robots have ideal senses; needs --observe belief."""
     pose: Literal["particles", "percept"] = "percept"
     """How robots with sensors know where they are: by a particle filter, or by a given noisy pose (percept), which is
     faster."""
     variation: str = ""
     """Numbers of the league that differ from episode to episode, as factors: kicker.fastest=0.8:1.2,drive.delay=2."""
     start: str = ""
-    """Policy file of the same shape to start from instead of imitating the teacher, or the folder of another run, whose
-    critic and noise are taken over too; "" for none."""
-    teacher_steps: int = 300_000
-    """Number of the teacher's decisions to record, over all team sizes and opponents together."""
-    teacher_epochs: int = 12
-    """Epochs of imitation: passes over the recorded decisions."""
-    rounds: int = 0
-    """Rounds of imitation in which the actor plays and a teacher that knows the truth labels each decision; the teacher
-    itself plays the first round. 0 to imitate recorded matches of the teacher only."""
+    """Policy file of the same shape to start from, or the folder of another run, whose critic and noise are taken over
+    too; "" to start from nothing."""
     critic_first: int = 3
-    """Number of first rollouts in which only the critic learns: an untrained critic would spoil the imitation."""
+    """Number of first rollouts in which only the critic learns: an untrained critic would spoil a trained actor."""
     kind: Literal["slots", "attention"] = "slots"
     """How the network takes in the other players: one slot of inputs each, or attention, which ignores their order."""
     memory: int = 0
-    """Units of a recurrent memory (GRU) before the actor's layers, 0 to 128; 0 for none. A teacher needs --rounds."""
+    """Units of a recurrent memory (GRU) before the actor's layers, 0 to 128; 0 for none."""
     hidden: str = "64,64"
     """Sizes of the actor's hidden layers, separated by commas."""
     critic: str = "64,64"

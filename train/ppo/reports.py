@@ -40,7 +40,7 @@ class ProgressBoard:
         self._settings = settings
         self._logs: Any = None  # opened once the first step of the run is known
         self._steps = settings.steps
-        self._progress: Progress | None = None  # until the first step: a teacher shows a bar of its own
+        self._progress: Progress | None = None  # until the first step
 
     @contextmanager
     def timed(self, stage: str) -> Iterator[None]:
@@ -167,15 +167,15 @@ def learning_curve(evaluations: Sequence[dict[str, Any]], settings: TrainSetting
 
 def curve_of(evaluations: Sequence[dict[str, Any]], settings: TrainSettings) -> dict[str, Any]:
     """Return the learning curve as the argument of `draw_curves`."""
-    decisions = decisions_of(evaluations)
-    unit, words = step_unit(max(decisions))
+    steps = [one["step"] for one in evaluations]
+    unit, words = step_unit(max(steps))
     curves = []
     for index, row in enumerate(evaluations[0]["rows"]):
         found = [one["rows"][index] for one in evaluations]
         curves.append(
             {
                 "name": name_of(row),
-                "x": [count / unit for count in decisions],
+                "x": [step / unit for step in steps],
                 "y": [part["goal_difference"] for part in found],
                 "low": [part["low"] for part in found],
                 "high": [part["high"] for part in found],
@@ -189,12 +189,6 @@ def curve_of(evaluations: Sequence[dict[str, Any]], settings: TrainSettings) -> 
     }  # fmt: skip
 
 
-def decisions_of(evaluations: Sequence[dict[str, Any]]) -> list[int]:
-    """Return, for each evaluation, the number of decisions learned from so far, including a teacher's advice."""
-    advised = max(one.get("advised", 0) for one in evaluations)
-    return [one["step"] + (advised if one["step"] else one.get("advised", 0)) for one in evaluations]
-
-
 def step_unit(steps: int) -> tuple[float, str]:
     """Return a unit (such as a million) that shortens a number of steps, with its name."""
     return next(((unit, words) for unit, words in UNITS if steps >= unit), (1.0, ""))
@@ -202,10 +196,10 @@ def step_unit(steps: int) -> tuple[float, str]:
 
 def evaluation_rows(evaluations: Sequence[dict[str, Any]]) -> Iterator[tuple[str, ...]]:
     """Yield the rows of the table of evaluations, below the head EVALUATIONS."""
-    for decisions, one in zip(decisions_of(evaluations), evaluations, strict=True):
+    for one in evaluations:
         for row in one["rows"]:
             difference = f"{row['goal_difference']:+.2f} ({row['low']:+.2f} to {row['high']:+.2f})"
-            yield f"{decisions:,}", name_of(row), f"{100 * row['points']:.0f} %", difference
+            yield f"{one['step']:,}", name_of(row), f"{100 * row['points']:.0f} %", difference
 
 
 def screen_table(result: Any) -> Any:
@@ -222,10 +216,10 @@ def screen_table(result: Any) -> Any:
 
 def best_evaluation_sentence(result: Any) -> str:
     """Return a sentence about the best evaluation of a run (`training.TrainResult`)."""
-    pairs = zip(decisions_of(result.evaluations), result.evaluations, strict=True)
-    decisions, (points, goals) = max(((count, merit(one)) for count, one in pairs), key=lambda pair: pair[1])
+    best = max(result.evaluations, key=merit)
+    points, goals = merit(best)
     return (
-        f"best: after {decisions:,} decisions, {100 * points:.0f} % of points and {goals:+.2f} goals on average; "
+        f"best: after {best['step']:,} decisions, {100 * points:.0f} % of points and {goals:+.2f} goals on average; "
         "the largest of several is a lucky one"
     )
 

@@ -1,7 +1,7 @@
 """The folder of a training run: locked for one process, with logs that continue and files written atomically.
 
 settings.json  log.jsonl  progress.csv  evaluations.jsonl  best.safetensors  last.safetensors  learning_curve.png
-checkpoint-0.pt  checkpoint-1.pt  latest.json  rounds (while a teacher advises)  report.html
+checkpoint-0.pt  checkpoint-1.pt  latest.json  report.html
 csv tensorboard wandb (further logs)  replays (kept replays)
 """
 
@@ -26,12 +26,11 @@ EVALUATIONS = "evaluations.jsonl"
 BEST = "best.safetensors"
 CURVE = "learning_curve.png"
 REPORT = "report.html"
-ROUNDS = "rounds"  # a folder
 BY_SIZE = ("goals", "minute")  # parts of a log line whose names change with the stage: no columns of a table
 TRAINING = RunKind(
     "a training", ("league", "matches", "opponents", "past", "rollout", "epochs"),
     (LOG, TABLE, EVALUATIONS, BEST, LAST, CURVE, REPORT, LATEST, *NAMES),
-    lambda _: [*LOGS, ROUNDS, *KEPT_FILES], alone=True,
+    lambda _: [*LOGS, *KEPT_FILES], alone=True,
 )  # fmt: skip
 
 
@@ -61,7 +60,9 @@ class RunFolder(ResultsFolder):
             records = read_lines(path)
             if not all(isinstance(record.get("step"), int) for record in records):
                 raise ValueError(f"{path} is damaged: it holds a line without its step; --anew starts again")
-            self._keep_lines(name, [record for record in records if record["step"] <= step or record.get("advised")])
+            kept = [record for record in records if record["step"] <= step]
+            if len(kept) < len(records):
+                write_atomically(path, "".join(json.dumps(record) + "\n" for record in kept))
         self._write_table()
 
     def log(self, record: dict[str, Any]) -> None:
@@ -76,18 +77,6 @@ class RunFolder(ResultsFolder):
     def log_evaluation(self, record: dict[str, Any]) -> None:
         """Append an evaluation to evaluations.jsonl."""
         self.add(EVALUATIONS, [record])
-
-    def remove_evaluations_from(self, record: dict[str, Any]) -> None:
-        """Remove all logged evaluations at or after the time of `record`, which is about to be logged."""
-        self._keep_lines(
-            EVALUATIONS, [one for one in self.evaluations() if evaluation_order(one) < evaluation_order(record)]
-        )
-
-    def _keep_lines(self, name: str, kept: list[dict[str, Any]]) -> None:
-        """Rewrite a log file with only the lines in `kept`, unless nothing changes."""
-        path = self.path / name
-        if len(kept) < len(read_lines(path)):
-            write_atomically(path, "".join(json.dumps(record) + "\n" for record in kept))
 
     def lines(self) -> list[dict[str, Any]]:
         """Return the log records of all rollouts so far."""
@@ -104,11 +93,6 @@ class RunFolder(ResultsFolder):
             write_atomically(self.path / TABLE, csv_lines([list(lines[0]), *(list(line.values()) for line in lines)]))
         else:
             (self.path / TABLE).unlink(missing_ok=True)
-
-
-def evaluation_order(evaluation: dict[str, Any]) -> tuple[int, int]:
-    """Return a sort key that puts the evaluations of a run in order of time."""
-    return evaluation["step"], evaluation.get("advised", 0)
 
 
 def flattened(record: dict[str, Any]) -> dict[str, Any]:

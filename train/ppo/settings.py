@@ -53,7 +53,7 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
     """Train a policy by PPO: all robots of the home team share it, other teams play away.
 
     To resume a run that was stopped, even by kill -9, give the same command again. --config FILE reads settings from a
-    TOML file, or from a bundled one by its name (legged-2001); flags override it. One step is one decision of one
+    TOML file, or from a bundled one by its name (first-win); flags override it. One step is one decision of one
     robot.
     """
 
@@ -67,20 +67,12 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
             raise ValueError(f"a batch and a rollout must have 2 decisions at least, got batch={self.batch}")
         if self.out == Path() or not str(self.out).isprintable():
             raise ValueError(f"out must be a folder of the run's own with a plain name, got {str(self.out)!r}")
-        if self.teacher and not (self.teacher_steps and self.teacher_epochs):
-            raise ValueError("a teacher needs teacher_steps and teacher_epochs of at least 1")
-        if self.rounds and not (self.teacher and self.observe == "belief"):
-            raise ValueError("rounds need a teacher, and observe='belief': the teacher says what to do by beliefs too")
-        if self.memory and self.teacher and not (self.rounds or self.start):
-            raise ValueError("a memory is taught in whole episodes: give rounds, or teacher='' for no teacher")
         if self.mirror and self.observe == "percepts":
             raise ValueError(
                 "mirror needs observe='belief' or 'truth', as turning signs round mirrors no picture: give --no-mirror"
             )
         if self.kind == "attention" and self.observe == "percepts":
             raise ValueError("kind='attention' needs observe='belief' or 'truth': pictures have no slots for players")
-        if self.ideal_share and self.observe != "belief":
-            raise ValueError("ideal_share needs observe='belief': nothing else is observed with either senses")
         if split_senses(self.senses)[0] != "ideal" and self.observe == "truth":
             raise ValueError(
                 "observe='truth' needs senses='ideal', as the policy will when it plays: give --senses ideal"
@@ -139,7 +131,7 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
     def named(self) -> list[str]:
         """Return the values of all settings that may name code as MODULE:NAME."""
         scenes = scene_names(self.scenes)
-        return [self.league, self.rewards, self.teacher, *scenes, *self.opponent_names, *self.judges]
+        return [self.league, self.rewards, *scenes, *self.opponent_names, *self.judges]
 
     @property
     def scene(self) -> Scene:
@@ -148,22 +140,15 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
 
     @property
     def start_file(self) -> Path | None:
-        """Return the policy file to start from, the last one of a run's folder; None: from nothing or a teacher."""
+        """Return the policy file to start from, the last one of a run's folder; None: from nothing."""
         if not self.start:
             return None
         return Path(self.start) / LAST if Path(self.start).is_dir() else Path(self.start)
 
     @property
-    def kinds_of_senses(self) -> list[tuple[float, dict[str, str]]]:
-        """Return (share of matches, `senses` argument of Match) for the run's senses and for ideal senses."""
-        kinds = ((1.0 - self.ideal_share, self.senses), (self.ideal_share, "ideal"))
-        return [(share, senses_of(senses)) for share, senses in kinds if share > 0.0]
-
-    @property
     def own_senses(self) -> dict[str, Any]:
         """Return the fields of `Policy` that record the senses and pose used in training."""
-        own = split_senses(self.senses)[0]
-        return senses_of_run({"senses": own, "ideal_share": self.ideal_share, "pose": self.pose})
+        return senses_of_run({"senses": split_senses(self.senses)[0], "pose": self.pose})
 
     @property
     def hidden_sizes(self) -> tuple[int, ...]:

@@ -23,7 +23,7 @@ BUNDLED = Path(agents.__file__).parent / "policies"  # in a checkout and where t
 def settings_of(config: Path | None) -> TrainSettings:
     """Read training settings from a TOML file, or return the defaults; ValueError names the file and the mistake.
 
-    A bare name such as legged-2001 is that of a bundled file, unless there is a file of that name.
+    A bare name such as first-win is that of a bundled file, unless there is a file of that name.
     """
     if config is None:
         return TrainSettings()

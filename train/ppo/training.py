@@ -34,7 +34,7 @@ from soccer_env.train.ppo.reports import (
 from soccer_env.train.ppo.run_folder import BEST, CURVE, REPORT, RunFolder
 from soccer_env.train.ppo.settings import LAST, TrainSettings
 from soccer_env.train.ppo.stages import StageClock
-from soccer_env.train.ppo.teaching.lessons import KeptRounds, Lessons
+from soccer_env.train.ppo.starts import begin_networks
 from soccer_env.train.ppo.vec_env import Result, SoccerVecEnv
 
 CHECKPOINT_SHARE = 0.05  # of a run's time, at most
@@ -128,25 +128,20 @@ class Training:
         before = step - self.settings.rollout * self.learner.matches.num_envs
         return self._is_over() or step // every > before // every
 
-    def begin(self, lessons: Lessons) -> None:
-        """Let the teacher teach the actor, with an evaluation after every round; then start the matches."""
-        for advised in lessons.teach():
-            self.evaluate(advised)
+    def begin(self) -> None:
+        """Let the networks begin as the settings say, evaluate the policy, and start the matches."""
+        begin_networks(self.learner.network, self.settings)
+        self.evaluate()
         self.learner.begin_matches()
         self.save_checkpoint()
-        lessons.kept.forget()
 
-    def evaluate(self, advised: int = 0) -> None:
-        """Evaluate the policy without noise; save it if it is the best so far, and draw the learning curve.
-
-        `advised`: number of decisions that a teacher has labelled so far.
-        """
+    def evaluate(self) -> None:
+        """Evaluate the policy without noise; save it if it is the best so far, and draw the learning curve."""
         with self.timed("evaluation"):
             policy = self.policy()
-            record: dict[str, Any] = {"step": self.learner.steps, "advised": advised}
-            self.folder.remove_evaluations_from(record)  # left by a run that was interrupted before its checkpoint
             best = max(map(merit, self.folder.evaluations()), default=None)
-            record["rows"] = rows = evaluate_policy(policy, self.settings)
+            rows = evaluate_policy(policy, self.settings)
+            record = {"step": self.learner.steps, "rows": rows}
             data = dump(policy)
             self.folder.write(LAST, data)
             warn_if_observing_truth(policy)
@@ -228,7 +223,6 @@ class Training:
             self.learner.restore(saved, self.learner.matches.load(saved["matches"]))
             self.rollouts = saved["rollouts"]
             restore_generators(saved["generators"])
-            KeptRounds(self.folder.path).forget()  # a run may be killed between a checkpoint and this
         except (ValueError, RuntimeError, LookupError, TypeError, AttributeError) as error:
             raise ValueError(
                 f"the checkpoint in {self.folder.path} is not of this run as it is now ({error}); --anew starts again"

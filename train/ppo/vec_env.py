@@ -42,15 +42,14 @@ from soccer_env.train.ppo.reporting.tally import make_tallies, size_numbers
 class SoccerVecEnv(VecEnv):
     """Matches whose home robots learn, or the robots of both sides, as rows of one environment.
 
-    players: team sizes (home, away); matches are shared so that each size has as many home robots; ideal_share: share
-    of each size's matches in which all robots have ideal senses, whatever `senses` says; opponents: a team, its name, a
-    `Lineup` whose weights choose anew for each episode, or None: both sides learn (self-play), the rows of home first
-    in each match; gamma: discount of one step, which the shaping of `rewards` takes over; state: append the state from
-    the robot's own side, `Match.state("home")` or "away", to every observation, for a centralised critic, with room for
-    the largest team (True) or for this number of robots a side; stagger: begin the first episodes at different times of
-    play. max_cycles counts steps of `action_repeat` control steps. Other settings are those of `Match` (observe="truth"
-    and starts="training" unless told otherwise). `results` collects how episodes ended until somebody takes them,
-    `seconds` the time [s] that steps took. Every reset plays the episodes of the seed again.
+    players: team sizes (home, away); matches are shared so that each size has as many home robots; opponents: a team,
+    its name, a `Lineup` whose weights choose anew for each episode, or None: both sides learn (self-play), the rows of
+    home first in each match; gamma: discount of one step, which the shaping of `rewards` takes over; state: append the
+    state from the robot's own side, `Match.state("home")` or "away", to every observation, for a centralised critic,
+    with room for the largest team (True) or for this number of robots a side; stagger: begin the first episodes at
+    different times of play. max_cycles counts steps of `action_repeat` control steps. Other settings are those of
+    `Match` (observe="truth" and starts="training" unless told otherwise). `results` collects how episodes ended until
+    somebody takes them, `seconds` the time [s] that steps took. Every reset plays the episodes of the seed again.
 
         env = SoccerVecEnv(players=[(2, 2)], matches=64, opponents="chaser", action_repeat=8, minutes=2.0)
         model = A2C("MlpPolicy", env).learn(100_000)
@@ -71,7 +70,6 @@ class SoccerVecEnv(VecEnv):
         *,
         players: Sequence[tuple[int, int]] = ((3, 3),),
         matches: int = 64,
-        ideal_share: float = 0.0,
         opponents: Any = "chaser",
         action_repeat: int = 1,
         gamma: float = 0.99,
@@ -85,7 +83,7 @@ class SoccerVecEnv(VecEnv):
         self.repeat, self.stagger, self.results = action_repeat, stagger, list[Result]()
         self.render_mode, self.seconds = None, 0.0
         check_request(players, opponents is None, action_repeat, threads, settings)
-        blocks = split_matches(players, matches, ideal_share)
+        blocks = split_matches(players, matches)
         inner = max(1, threads // len(blocks))  # threads of a block; more than one where there are few blocks
         if settings.get("max_cycles") is not None:
             settings["max_cycles"] *= action_repeat
@@ -93,9 +91,9 @@ class SoccerVecEnv(VecEnv):
             Match(
                 league, home=home, away=away, matches=count, opponents=opponents, threads=inner, seed=seed,
                 autoreset="same_step", rewards=replace(find_rewards(rewards), gamma=gamma),
-                **{"starts": "training", **settings, **senses},
+                **{"starts": "training", **settings},
             )
-            for (home, away), count, senses in blocks
+            for (home, away), count in blocks
         ]  # fmt: skip
         self._workers = Workers(1 if any(map(calls_python, self.matches)) else min(threads, len(blocks)))
         self.room = room_for(state, max(match.settings.max_players for match in self.matches))

@@ -12,7 +12,7 @@ from typing import Annotated, Any, get_args, get_origin
 from pages.markdown import code, table
 from soccer_env.train.command.command_line import kinds_of_settings
 
-CONFIG = "TOML file with settings, or the name of a bundled one, such as legged-2001; other options override it."
+CONFIG = "TOML file with settings, or the name of a bundled one, such as first-win; other options override it."
 MORE = {"train": [("`--config FILE`", "", "", CONFIG)]}  # what is read before the settings are
 
 

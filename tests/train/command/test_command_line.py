@@ -81,7 +81,7 @@ def test_the_basic_options_of_a_training_come_first(capsys: Any) -> None:
     with pytest.raises(SystemExit):
         main(["train", "--help"])
     flags = re.findall(r"^\W (--[a-z][a-z-]+)", capsys.readouterr().out, re.MULTILINE)
-    basic = ["--league", "--players", "--opponents", "--steps", "--teacher", "--action-repeat", "--out", "--seed"]
+    basic = ["--league", "--players", "--opponents", "--steps", "--action-repeat", "--out", "--seed"]
     assert flags == [*basic, "--threads", "--anew"]
 
 
@@ -197,7 +197,7 @@ def test_names_are_printed_as_they_are() -> None:
 def test_every_command_and_option_can_be_completed(shell: str, soccer: Any) -> None:
     text = soccer("--tyro-print-completion", shell)
     assert soccer(f"--print-completion={shell}") == text
-    assert all(word in text for word in (*command_line.COMMANDS, "--at-least", "--teacher-steps", "--against"))
+    assert all(word in text for word in (*command_line.COMMANDS, "--at-least", "--critic-first", "--against"))
 
 
 @pytest.mark.skipif(shutil.which("bash") is None, reason="there is no bash")

@@ -28,8 +28,7 @@ EXPORT = "export {replay} --anew --out {out}"
 COMMANDS = {
     "evaluate": f"evaluate --home chaser --away still --matches 6 --minutes 0.5 {SHORT} --out {{out}}",
     "tournament": f"tournament --teams chaser,still,random --matches 2 --minutes 0.3 {SHORT} --out {{out}}",
-    "train": f"{TRAIN} --teacher=",
-    "train, with a teacher": f"{TRAIN} --teacher chaser --teacher-steps 600 --teacher-epochs 2 --rounds 2",
+    "train": TRAIN,
     "reproduce": "reproduce H12 H17 S05 --quick --out {out}",
     "reproduce, in processes": "reproduce H12 H17 S05 --quick --threads 2 --out {out}",
     "record": f"record --home chaser --away chaser --minutes 0.1 {SHORT} --out {{out}}/match.replay",

@@ -20,10 +20,9 @@ from soccer_env.train.ppo.settings import TrainSettings
 
 TINY: dict[str, Any] = {
     "steps": 336, "players": "1v1,2v2", "matches": 3, "minutes": 0.1, "opponents": "still,chaser@0.5", "past": 2,
-    "past_every": 2, "teacher": "chaser", "teacher_steps": 60, "teacher_epochs": 1, "critic_first": 2, "hidden": "8",
-    "critic": "8", "mirror": True, "central_critic": True, "rollout": 12, "batch": 20, "epochs": 2,
-    "learning_rate": 0.01, "evaluate_every": 150, "evaluate_matches": 2, "evaluate_minutes": 0.1,
-    "evaluate_against": "still", "noise": 0.6, "seed": 3, "device": "cpu",
+    "past_every": 2, "critic_first": 2, "hidden": "8", "critic": "8", "mirror": True, "central_critic": True,
+    "rollout": 12, "batch": 20, "epochs": 2, "learning_rate": 0.01, "evaluate_every": 150, "evaluate_matches": 2,
+    "evaluate_minutes": 0.1, "evaluate_against": "still", "noise": 0.6, "seed": 3, "device": "cpu",
 }  # fmt: skip
 ROLLOUT = 48  # decisions: 12 of each of 4 robots
 

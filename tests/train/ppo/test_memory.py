@@ -1,4 +1,4 @@
-"""An actor with a memory in training: its files decide as it does, advice teaches it to remember, rewards as well."""
+"""An actor with a memory in training: its files decide as it does, rewards teach it to remember."""
 
 from pathlib import Path
 from typing import Any
@@ -19,9 +19,6 @@ from soccer_env.train.ppo.checks import check_start, make_curriculum, make_match
 from soccer_env.train.ppo.learner import Learner
 from soccer_env.train.ppo.networks import SoccerPolicy, blank_policy, export_policy
 from soccer_env.train.ppo.settings import TrainSettings, command_of
-from soccer_env.train.ppo.teaching.advice import advised, advised_episodes
-from soccer_env.train.ppo.teaching.imitation import BACK, fit
-from soccer_env.train.ppo.teaching.lessons import join_lessons
 from soccer_env.train.ppo.updating.rollout import Start, collect
 from soccer_env.train.ppo.updating.update import as_sequences, make_optimizer, update
 from tests.agents.staged_policies import decide
@@ -32,7 +29,7 @@ LEAGUE = find_league("legged-2001")
 ENTRIES = layout(LEAGUE, "belief")
 NAMES = [entry.name for entry in ENTRIES]
 BALL, ACTIVE = NAMES.index("ball_x"), NAMES.index("active")
-REMEMBERING: dict[str, Any] = {"memory": 4, "rounds": 2}
+REMEMBERING: dict[str, Any] = {"memory": 4}
 kinds = pytest.mark.parametrize("kind", ["slots", "attention"])
 mirrors = pytest.mark.parametrize("mirror", [False, True])
 
@@ -77,7 +74,7 @@ def test_a_file_decides_as_the_network_in_episodes_that_begin_and_robots_that_ar
 
 @kinds
 def test_the_policy_before_training_has_the_shape_of_the_one_after(kind: str) -> None:
-    blank = blank_policy(TrainSettings(kind=kind, hidden="16", memory=8, teacher="", mirror=False), LEAGUE)  # type: ignore[arg-type]
+    blank = blank_policy(TrainSettings(kind=kind, hidden="16", memory=8, mirror=False), LEAGUE)  # type: ignore[arg-type]
     made = export_policy(network(kind=kind), name="t", league=LEAGUE, observe="belief", action_repeat=8, made={})
     assert pack_policy(made).shape == pack_policy(blank).shape
     assert (decide(blank, episodes(5, 1)[:, 0]) == 0.0).all()
@@ -88,42 +85,6 @@ def test_the_actors_parameters_are_all_but_the_critics() -> None:
     own = {id(parameter) for parameter in made.actor_parameters()}
     rest = [name for name, parameter in made.named_parameters() if id(parameter) not in own]
     assert rest and all("critic_net" in name for name in rest)
-
-
-def ball_seen_once(steps: int = 20, rows: int = 200) -> tuple[np.ndarray, np.ndarray]:
-    """Return episodes in which the ball is seen at the first decision only, and asked for at all (forward)."""
-    seen, asked = np.zeros((steps, rows, len(NAMES)), np.float32), np.zeros((steps, rows, 4), np.float32)
-    seen[..., ACTIVE] = 1.0
-    seen[0, :, BALL] = np.random.default_rng(2).choice([-0.8, 0.8], rows)
-    asked[..., 0] = seen[0, :, BALL]
-    return seen, asked
-
-
-@mirrors
-def test_a_memory_learns_where_the_ball_was_and_a_plain_actor_cannot(mirror: bool) -> None:
-    seen, asked = ball_seen_once()
-    errors = fit(network(mirror=mirror), seen, asked, 30, 1, rate=0.01, batch=BACK * 20)
-    plain = fit(network(0, mirror=mirror), seen.reshape(-1, len(NAMES)), asked.reshape(-1, 4), 30, 1, rate=0.01)
-    assert errors[-1] < 0.01 * 0.16 and plain[-1] > 0.9 * 0.16 * 19 / 20, "0.8 ** 2 of one of four numbers"
-
-
-def test_what_is_not_asked_counts_for_nothing_but_is_seen() -> None:
-    """The ball is shown at a decision without advice, and asked for later."""
-    seen, asked = ball_seen_once()
-    asked[0] = np.nan
-    longer = [(seen, asked), ball_seen_once(70, 3)]
-    settings = TrainSettings(teacher="")
-    joined = join_lessons(longer, settings, ENTRIES)
-    assert joined[0].shape == (70, 203, len(NAMES)) and np.isnan(joined[1][20:, :200]).all()
-    assert fit(network(seed=2), *joined, 30, 1, rate=0.01, batch=BACK * 20)[-1] < 0.01 * 0.16
-
-
-def test_advice_on_episodes_is_advice_on_their_decisions() -> None:
-    settings: dict[str, Any] = {"matches": 2, "seed": 2, "minutes": 0.1, "senses": "sensors"}
-    seen, asked = advised_episodes("chaser", "chaser", "still", (2, 1), 8, **settings)
-    assert seen.shape == (12, 4, len(NAMES)) and asked.shape == (12, 4, 4)
-    observations, advice = advised("chaser", "chaser", "still", (2, 1), 8, **settings)
-    assert np.array_equal(observations, seen.reshape(-1, len(NAMES))) and np.array_equal(advice, asked.reshape(-1, 4))
 
 
 def learner(folder: Path, **changes: Any) -> Learner:
@@ -154,9 +115,7 @@ def test_a_rollout_is_evaluated_with_the_states_in_which_it_was_played(tmp_path:
     made.close()
 
 
-def test_a_run_learns_by_advice_and_rewards_and_resumes(
-    tmp_path: Path, tmp_path_factory: pytest.TempPathFactory
-) -> None:
+def test_a_run_with_a_memory_resumes(tmp_path: Path, tmp_path_factory: pytest.TempPathFactory) -> None:
     whole = whole_run(tmp_path_factory, **REMEMBERING)
     assert len(load(whole / "last.safetensors").memory[1]) == 12
     for steps in (3 * ROLLOUT, tiny_settings(tmp_path).steps):
@@ -169,19 +128,17 @@ def test_an_actor_with_a_memory_begins_with_a_file_of_the_same_memory(
     tmp_path: Path, tmp_path_factory: pytest.TempPathFactory
 ) -> None:
     file = str(whole_run(tmp_path_factory, **REMEMBERING) / "last.safetensors")
-    settings = tiny_settings(tmp_path, start=file, teacher="", memory=4)
+    settings = tiny_settings(tmp_path, start=file, memory=4)
     check_start(settings, blank_policy(settings, LEAGUE))
-    other = tiny_settings(tmp_path, start=file, teacher="", memory=5)
+    other = tiny_settings(tmp_path, start=file, memory=5)
     with pytest.raises(ValueError, match="has a memory of 4, the run 5"):
         check_start(other, blank_policy(other, LEAGUE))
 
 
 def test_the_settings_of_a_memory() -> None:
-    assert TrainSettings().memory == 0 and "--memory 8" in command_of(TrainSettings(memory=8, teacher=""))
+    assert TrainSettings().memory == 0 and "--memory 8" in command_of(TrainSettings(memory=8))
     with pytest.raises(ValueError, match="memory must be 0 to 128, got 129"):
-        TrainSettings(memory=129, teacher="")
-    with pytest.raises(ValueError, match="a memory is taught in whole episodes: give rounds"):
-        TrainSettings(memory=8)
+        TrainSettings(memory=129)
 
 
 class BallSeenOnce:
@@ -216,7 +173,7 @@ class BallSeenOnce:
 
 @pytest.mark.parametrize(("units", "least", "most"), [(8, 0.6, 1.0), (0, -0.2, 0.2)])
 def test_ppo_learns_to_remember_and_a_plain_actor_does_not(units: int, least: float, most: float) -> None:
-    settings = TrainSettings(teacher="", memory=units, batch=480, epochs=6, target_kl=0.02)
+    settings = TrainSettings(memory=units, batch=480, epochs=6, target_kl=0.02)
     made, matches = network(units, 2, noise=0.5), BallSeenOnce()
     optimizer, start = make_optimizer(made, 0.003), Start(matches.seen(), made.no_states(matches.num_envs))
     for _ in range(40):

@@ -51,7 +51,7 @@ def test_a_stage_is_over_after_its_decisions_and_a_checkpoint_keeps_the_count() 
 
 
 def test_a_run_goes_on_to_its_next_stage_and_is_judged_at_all_sizes(tmp_path: Path) -> None:
-    changes = {"players": "1v1;2v2", "opponents": "still;still,chaser", "stage_steps": 60, "past": 0, "teacher": ""}
+    changes = {"players": "1v1;2v2", "opponents": "still;still,chaser", "stage_steps": 60, "past": 0}
     train_plainly(tiny_settings(tmp_path, steps=150, matches=2, **changes))
     lines = records(tmp_path / "log.jsonl")
     assert [line["stage"] for line in lines] == [1, 1, 1, 2, 2]

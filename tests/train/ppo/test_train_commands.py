@@ -156,7 +156,7 @@ team = team_of_function(ahead, action_repeat=4, fingerprint="1")
 """
 OWN = {
     "league": "own_parts:ICY", "rewards": "own_parts:PAID", "scenes": "kick-off:0.5,own_parts:BESIDE:0.5",
-    "opponents": "still,own_parts:team", "evaluate_against": "own_parts:team", "teacher": "own_parts:team",
+    "opponents": "still,own_parts:team", "evaluate_against": "own_parts:team",
 }  # fmt: skip
 
 
@@ -191,7 +191,6 @@ def test_all_parts_of_ones_own_are_trained_with(mine: Path) -> None:
         ({"rewards": "own_parts:ICY"}, "rewards 'own_parts:ICY' must be a Rewards, got <League icy"),
         ({"scenes": "own_parts:BESIDES:0.5"}, "unknown scene 'BESIDES' in module 'own_parts', did you mean 'BESIDE'?"),
         ({"opponents": "own_parts:tem"}, "opponents: unknown team 'tem' in module 'own_parts', did you mean 'team'?"),
-        ({"teacher": "own_parts:team", "rounds": 1}, "teacher: rounds=0 is needed for 'own_parts:team': a team in "),
     ],
 )
 def test_what_is_not_there_is_named_before_a_folder_is_made(changes: dict[str, str], message: str) -> None:

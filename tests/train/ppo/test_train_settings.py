@@ -24,7 +24,6 @@ from tests.train.ppo.staged_training import tiny_settings
 ROOT = Path(__file__).parents[3]
 SHARES = ("learning_rate", "target_kl", "stage_share")
 ABOVE_ZERO = ("minutes", "noise", "evaluate_minutes", "discount_half_life", "advantage_half_life")
-FROM_ZERO = ("ideal_share", *NAMES)
 COUNTS = ("threads", *(name for name, bounds in BOUNDS.items() if bounds.low == 1.0))
 NAN, INFINITY = float("nan"), float("inf")
 
@@ -36,11 +35,11 @@ def test_what_is_not_above_0_is_refused(name: str, value: Any) -> None:
         TrainSettings(**{name: value})
 
 
-@pytest.mark.parametrize("name", FROM_ZERO)
+@pytest.mark.parametrize("name", NAMES)
 def test_weights_may_be_0_and_not_less(name: str) -> None:
     assert getattr(TrainSettings(**{name: 0.0}), name) == 0.0
     for value in (NAN, INFINITY, -1e-9, "0", None):
-        with pytest.raises(ValueError, match=f"{name} must be (a number of at least 0|0 to )"):
+        with pytest.raises(ValueError, match=f"{name} must be 0 to "):
             TrainSettings(**{name: value})
 
 
@@ -51,7 +50,7 @@ def test_a_share_is_1_at_most(name: str) -> None:
         TrainSettings(**{name: 1.01})
 
 
-@pytest.mark.parametrize("name", [*COUNTS, "seed", "past", "teacher_steps", "teacher_epochs", "rounds", "critic_first"])
+@pytest.mark.parametrize("name", [*COUNTS, "seed", "past", "critic_first"])
 def test_a_count_is_a_whole_number(name: str) -> None:
     least = 1 if name in COUNTS else 0
     for value in (least - 1, 2.0, NAN, "2", None, True):
@@ -75,9 +74,6 @@ def test_a_count_is_a_whole_number(name: str) -> None:
         ({"name": 3}, "name must be a text, got 3"),
         ({"senses": "eyes"}, "senses must be one of ideal, sensors"),
         ({"senses": None}, "senses must be a text"),
-        ({"ideal_share": 1.01}, "ideal_share must be 0 to 1, got 1.01"),
-        ({"ideal_share": 0.5, "observe": "percepts"}, "ideal_share needs observe='belief'"),
-        ({"ideal_share": 0.5, "observe": "truth", "senses": "ideal"}, "ideal_share needs observe='belief'"),
         ({"out": 3}, "out must be a path"),
         ({"hidden": "x"}, "hidden must be one to six layer sizes"),
         ({"hidden": "64,"}, "hidden must be one to six layer sizes"),
@@ -100,9 +96,6 @@ def test_a_count_is_a_whole_number(name: str) -> None:
         ({"seed": 2**32}, "seed must be 0 to 4294967295"),
         ({"batch": 1}, "a batch and a rollout must have 2 decisions at least"),
         ({"rollout": 1, "matches": 1}, "a batch and a rollout must have 2 decisions at least"),
-        ({"teacher": "chaser", "teacher_steps": 0}, "a teacher needs teacher_steps"),
-        ({"teacher": "", "rounds": 1}, "rounds need a teacher, and observe='belief'"),
-        ({"observe": "percepts", "rounds": 1}, "rounds need a teacher, and observe='belief'"),
     ],
 )
 def test_a_setting_that_makes_no_sense_is_refused(changes: dict[str, Any], message: str) -> None:
@@ -125,9 +118,7 @@ def test_a_setting_that_makes_no_sense_is_refused(changes: dict[str, Any], messa
         ({"start": "none.safetensors"}, "start: policy file 'none.safetensors'"),
         ({"start": str(BUNDLED), "action_repeat": 2}, "start: .* has hidden layers of 128,128, the run 8"),
         ({"start": str(BUNDLED), "action_repeat": 4}, "start: .* is of another shape: action_repeat is 2, the run's 4"),
-        ({"teacher": "professor"}, "teacher: unknown team 'professor'"),
         ({"matches": 1}, "matches must be at least one for each of 2 team sizes, got 1"),
-        ({"matches": 3, "ideal_share": 0.1}, "matches must be at least one for each of 2 team sizes, by either senses"),
         ({"action_repeat": 1001}, "action_repeat must be 1 to 1000, got 1001"),
         ({"threads": 257}, "threads must be 1 to 256, got 257"),
         ({"name": "a|b"}, "name must be 1 to 64 characters"),
@@ -174,13 +165,11 @@ NUMBERS = st.floats(1e-12, 9999.0)
 CHANGES: dict[str, st.SearchStrategy[Any]] = {
     **dict.fromkeys(ABOVE_ZERO, NUMBERS),
     **dict.fromkeys(("learning_rate", "noise"), st.floats(1e-12, 1.0)),
-    **dict.fromkeys(FROM_ZERO, st.floats(0.0, 1e9)),
-    **dict.fromkeys(("ideal_share",), st.floats(0.0, 1.0)),
+    **dict.fromkeys(NAMES, st.floats(0.0, 1e9)),
     **dict.fromkeys(SHARES, st.floats(1e-9, 1.0)),
-    **dict.fromkeys(("steps", "batch", "epochs", "teacher_steps", "critic_first"), st.integers(2, 10**12)),
+    **dict.fromkeys(("steps", "batch", "epochs", "critic_first"), st.integers(2, 10**12)),
     **dict.fromkeys(("mirror", "central_critic"), st.booleans()),
     "start": st.sampled_from(["", "my policy.safetensors"]),
-    "teacher": st.sampled_from(["", "chaser", "sacks-2001@0.25", "my policy.safetensors"]),
     "opponents": st.sampled_from(["still", "sacks-2001:pull=True,other=2,chaser", "a b.zip:observe=belief", "'\"$x"]),
     "name": st.sampled_from(["learned", "a b", "--mirror x"[2:]]),
     "pose": st.sampled_from(["particles", "percept"]),

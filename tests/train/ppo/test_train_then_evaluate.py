@@ -34,9 +34,9 @@ def evaluated(soccer: Any) -> Any:
 def test_what_was_trained_is_evaluated_with_either_flag_that_the_error_names(
     tmp_path: Path, soccer: Any, evaluated: Any
 ) -> None:
-    short = "--players 1v1 --steps 64 --matches 2 --minutes 0.05 --teacher-steps 0 --rollout 16 --batch 32"
+    short = "--players 1v1 --steps 64 --matches 2 --minutes 0.05 --rollout 16 --batch 32"
     judged = "--evaluate-every 1000000 --evaluate-matches 2 --evaluate-minutes 0.05 --evaluate-against still"
-    words = ["train", *short.split(), *judged.split(), "--teacher", "", "--no-mirror"]
+    words = ["train", *short.split(), *judged.split(), "--no-mirror"]
     soccer(*words, "--critic-first", "0", "--opponents", "still", "--out", tmp_path / "run")
     last = str(tmp_path / "run/last.safetensors")
     said = evaluated(last, code=2)

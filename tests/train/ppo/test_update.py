@@ -147,7 +147,7 @@ def test_the_actors_rate_follows_the_divergence_within_its_bounds_and_the_critic
 
 
 def test_the_log_says_how_each_team_size_plays(tmp_path: Path) -> None:
-    train_plainly(tiny_settings(tmp_path, steps=96, past=0, critic_first=0, teacher="", action_repeat=4))
+    train_plainly(tiny_settings(tmp_path, steps=96, past=0, critic_first=0, action_repeat=4))
     line = records(tmp_path / "log.jsonl")[-1]
     assert line["entropy"] == pytest.approx(2.0 * (1.0 + log(2.0 * np.pi)) + 4.0 * log(line["noise"]), abs=0.05)
     assert line["kl"] >= 0.0 and line["learning_rate"] > 0.0 and line["explained"] <= 1.0

@@ -75,25 +75,7 @@ def test_actions_are_clipped_and_nonsense_is_refused() -> None:
         wild.step(np.ones((7, 4)))
 
 
-def test_a_share_of_the_matches_of_each_size_has_ideal_senses() -> None:
-    env = rows(players=MIXED, matches=16, observe="belief", senses="sensors", ideal_share=0.25)
-    told = [(match.settings.home, match.count, match.settings.senses) for match in env.matches]
-    sensors, ideal = ("sensors", "sensors"), ("ideal", "ideal")
-    assert told == [(1, 9, sensors), (1, 3, ideal), (3, 3, sensors), (3, 1, ideal)]
-    seen, age = env.reset(), env.matches[0].observation_names.index("ball_age")
-    assert seen.shape == (12 * 1 + 4 * 3, len(env.matches[0].observation_names))
-    by_match = np.repeat([False, True, False, True], [9, 3, 9, 3])
-    assert (seen[by_match, age] == 0.0).all() and (seen[~by_match, age] > 0.0).any()
-    alone = rows(players=MIXED, matches=16, observe="belief", senses="ideal")
-    assert assert_same_play(play(rows(players=MIXED, matches=16, observe="belief", ideal_share=1.0), 3), play(alone, 3))
-
-
-@pytest.mark.parametrize(("share", "matches"), [(0.1, 4), (0.9, 4), (0.5, 1)])
-def test_either_senses_and_each_team_size_need_a_match(share: float, matches: int) -> None:
-    with pytest.raises(ValueError, match="at least one for each of 1 team sizes, by either senses"):
-        rows(observe="belief", senses="sensors", ideal_share=share, matches=matches)
-    with pytest.raises(ValueError, match="ideal_share must be a number from 0 to 1, got 1.5"):
-        rows(observe="belief", ideal_share=1.5)
+def test_each_team_size_needs_a_match() -> None:
     with pytest.raises(ValueError, match="matches must be at least one for each of 2 team sizes, got 1"):
         rows(players=MIXED, matches=1)
 

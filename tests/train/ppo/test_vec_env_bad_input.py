@@ -107,7 +107,7 @@ LINEUP = Lineup((make_team("chaser"), make_team("still")), np.array([0.7, 0.3]),
     [
         {"players": [(1, 1), (2, 3)], "matches": 4, "opponents": LINEUP, "max_cycles": 11, "action_repeat": 4},
         {"league": "middle-size-2006", "players": [(2, 2)], "matches": 3, "state": True, "stagger": True},
-        {"players": [(2, 2)], "matches": 2, "actions": "full", "observe": "belief", "ideal_share": 0.5, "minutes": 0.1},
+        {"players": [(2, 2)], "matches": 2, "actions": "full", "observe": "belief", "minutes": 0.1},
     ],
 )
 def test_an_env_and_its_copy_have_one_future(way: Callable[[Any], Any], settings: dict[str, Any]) -> None:

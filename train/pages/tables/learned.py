@@ -108,7 +108,7 @@ def reference_settings(out: Path, rollouts: int = ROLLOUTS) -> Any:
     rollout, matches = 32, 256
     return TrainSettings(
         players="3v3", opponents="sacks-2001", matches=matches, rollout=rollout, batch=8192, epochs=4,
-        hidden="64,64", critic="64,64", action_repeat=1, teacher="", critic_first=0, mirror=False,
+        hidden="64,64", critic="64,64", action_repeat=1, critic_first=0, mirror=False,
         central_critic=False, steps=3 * matches * rollout * rollouts, evaluate_every=10**12, evaluate_matches=2,
         evaluate_minutes=0.1, evaluate_against="sacks-2001", threads=2, seed=1, out=out,
     )  # fmt: skip

@@ -5,7 +5,7 @@ from typing import Any
 
 from soccer_env.train.evaluate.replays import Kept
 from soccer_env.train.evaluate.replays.keep import add_replays
-from soccer_env.train.ppo.reports import EVALUATIONS, curve_of, decisions_of, evaluation_rows, merit, name_of, step_unit
+from soccer_env.train.ppo.reports import EVALUATIONS, curve_of, evaluation_rows, merit, name_of, step_unit
 from soccer_env.train.ppo.settings import TrainSettings, command_of
 from soccer_env.train.provenance import LIBRARIES, date_and_commit, version_of
 from soccer_env.train.report import MISSING, ReportPage, can_draw, draw_curves, draw_heat_table
@@ -69,9 +69,8 @@ def opponents_table(evaluations: Lines) -> bytes:
     """Draw a table of goal differences by opponent and evaluation; of many evaluations only a selection."""
     every = -(-len(evaluations) // MOST_COLUMNS)
     shown = list(range(len(evaluations) - 1, -1, -every))[::-1]
-    decisions = decisions_of(evaluations)
-    unit, words = step_unit(max(decisions))
-    columns = [f"{decisions[at] / unit:.3g}" for at in shown]
+    unit, words = step_unit(max(one["step"] for one in evaluations))
+    columns = [f"{evaluations[at]['step'] / unit:.3g}" for at in shown]
     opponents = [name_of(row) for row in evaluations[-1]["rows"]]
     values = [[evaluations[at]["rows"][index]["goal_difference"] for at in shown] for index in range(len(opponents))]
     title = "Goal difference a match"
