@@ -6,10 +6,9 @@
     vec_env.py         many matches as one VecEnv                  match_blocks.py   blocks of team sizes
     curriculum.py      the choice of opponents                     stages.py         stages of team sizes and opponents
     networks.py        actor and critic                            recurrent.py      the actor's memory
-    critic_state.py    the critic's view of the truth              starts.py         networks of a file or another run
-    learner.py         both in turn, and their state               checkpoints.py    save and resume a run
+    critic_state.py    the critic's view of the truth              reporting/        other logs, the report as a page
+    learner.py         both: their start, turns and state          checkpoints.py    save and resume a run
     run_folder.py      the files of a run                          reports.py        its log, evaluations and curve
-    reporting/         other logs, the report as a page
 
 Importing this package is quick: torch comes with the first training.
 """

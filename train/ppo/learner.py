@@ -1,13 +1,16 @@
 """The learner of a training run: actor, critic and optimiser, and their state for checkpoints."""
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import torch
 
+from soccer_env.agents.policy_file import load
 from soccer_env.observations import layout
-from soccer_env.train.ppo.networks import SoccerPolicy
+from soccer_env.train.ppo.checkpoints import read_checkpoint
+from soccer_env.train.ppo.networks import SoccerPolicy, copy_actor
 from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.ppo.updating.rollout import Rollout, Start, collect
 from soccer_env.train.ppo.updating.update import make_optimizer, update
@@ -81,6 +84,25 @@ class Learner:
         self.network.load_state_dict(saved["network"])
         self.optimizer.load_state_dict(saved["optimizer"])
         self.steps, self._start = saved["step"], Start(observations, saved["states"].to(self.network.device))
+
+
+def begin_networks(network: SoccerPolicy, settings: TrainSettings) -> None:
+    """Let actor and critic begin as `settings.start` says, a policy file or another run; "" leaves them untrained."""
+    if settings.start_file is None:
+        return
+    if Path(settings.start).is_dir():
+        take_over(network, Path(settings.start))
+    else:
+        copy_actor(network, load(settings.start_file))
+
+
+def take_over(network: SoccerPolicy, run: Path) -> None:
+    """Copy actor, noise and critic from the newest checkpoint of a run's folder; ValueError if they do not fit."""
+    saved = read_checkpoint(run)
+    try:
+        network.load_state_dict((saved or {})["network"])
+    except (KeyError, RuntimeError) as error:
+        raise ValueError(f"start: the networks of the run in {run} are not those of this run ({error})") from error
 
 
 def device_of(name: str) -> torch.device:

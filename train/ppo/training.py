@@ -18,7 +18,7 @@ from soccer_env.train.evaluate.replays import Kept
 from soccer_env.train.ppo.checkpoints import generator_states, read_checkpoint, restore_generators, write_checkpoint
 from soccer_env.train.ppo.checks import make_matches, policy_origin
 from soccer_env.train.ppo.curriculum import Curriculum
-from soccer_env.train.ppo.learner import Learner
+from soccer_env.train.ppo.learner import Learner, begin_networks
 from soccer_env.train.ppo.networks import export_policy
 from soccer_env.train.ppo.reporting.page import page_of
 from soccer_env.train.ppo.reporting.tally import per_minute
@@ -34,7 +34,6 @@ from soccer_env.train.ppo.reports import (
 from soccer_env.train.ppo.run_folder import BEST, CURVE, REPORT, RunFolder
 from soccer_env.train.ppo.settings import LAST, TrainSettings
 from soccer_env.train.ppo.stages import StageClock
-from soccer_env.train.ppo.starts import begin_networks
 from soccer_env.train.ppo.vec_env import Result, SoccerVecEnv
 
 CHECKPOINT_SHARE = 0.05  # of a run's time, at most
