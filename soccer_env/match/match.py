@@ -57,9 +57,11 @@ class Match(Views, Branching):
     | `events`, `robot_events` | (M,), (M, R) | what happened in the last control step |
     | `statistics` | (M,) | counts of play since the episode began; `soccer list statistics` defines the figures |
     | `agents` | R names | the robot of each row: "home_0" and so on |
-    | `learns` | (R,) | 1: actions steer the robot; 0: a team plays the robot, and its row of actions is ignored |
+    | `learns` | (R,) | 1: actions steer the robot; 0: its team plays it, and its row of actions is ignored |
     | `seeds` | (M,) | seed of each match: `Match(seeds=[match.seeds[17]])` is match 17 alone |
     | `settings`, `league` | | every setting resolved, such as `settings.rewards.gamma`; the numbers of the league |
+
+    Set `learns` of a team's robot to 1 between two steps to take it over: its team goes on deciding, unheard, until 0.
     """
 
     @init_takes_fields_of(MatchArguments)
@@ -230,9 +232,9 @@ class Match(Views, Branching):
             batch.observe(start, stop)  # observations of the learners
 
     def _decide_slice(self, numbers: np.ndarray, first: int, last: int) -> None:
-        """Write the commands of a slice of matches: learners' actions, and decisions of compiled teams."""
-        write_learner_commands(self.robots, numbers, first, last, self.learns)
+        """Write the commands of a slice of matches: decisions of compiled teams, and over them learners' actions."""
         self._decide_compiled_teams(first, last)
+        write_learner_commands(self.robots, numbers, first, last, self.learns)
 
     def _decide_compiled_teams(self, first: int, last: int) -> None:
         """Write the commands of the compiled teams in a slice of matches."""

@@ -55,6 +55,7 @@ class Window:
         self._window: pygame.Window | None = None
         self._due = 0.0  # [s] of the performance counter: when the next frame may be shown
         self._pressed: list[str] = []
+        self.held: set[str] = set()  # names of the keys that are held down in this window
 
     def pressed(self) -> list[str]:
         """Return the names of the keys that were pressed in this window since the last call, as pygame names them."""
@@ -96,6 +97,7 @@ class Window:
             self._window.destroy()
             self._window = None
         self._due = 0.0
+        self.held.clear()
 
     def _wait(self) -> None:
         """Sleep until the frame is due; a late frame shifts all later frames."""
@@ -122,14 +124,27 @@ class Window:
         """Handle the events of this window and leave the events of other windows in the queue."""
         import pygame
 
-        for event in pygame.event.get((pygame.QUIT, pygame.WINDOWCLOSE, pygame.KEYDOWN)):
+        keys = (pygame.KEYDOWN, pygame.KEYUP, pygame.WINDOWFOCUSLOST)
+        for event in pygame.event.get((pygame.QUIT, pygame.WINDOWCLOSE, *keys)):
             escape = event.type == pygame.KEYDOWN and event.key == pygame.K_ESCAPE
             mine = getattr(event, "window", None) is self._window
             if event.type == pygame.QUIT or (mine and (escape or event.type == pygame.WINDOWCLOSE)):
                 self.closed_by_user = True
-            elif mine and event.type == pygame.KEYDOWN:
-                self._pressed.append(pygame.key.name(event.key))
-            elif not mine:
+            elif mine:
+                self._note_key(event)
+            else:
                 pygame.event.post(event)
         if self.closed_by_user:
             self.close()
+
+    def _note_key(self, event: pygame.Event) -> None:
+        """Note a key that goes down or up; a window that loses the focus hears no key go up."""
+        import pygame
+
+        if event.type == pygame.WINDOWFOCUSLOST:
+            self.held.clear()
+        elif event.type == pygame.KEYUP:
+            self.held.discard(pygame.key.name(event.key))
+        else:
+            self._pressed.append(pygame.key.name(event.key))
+            self.held.add(pygame.key.name(event.key))

@@ -10,11 +10,15 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from soccer_env.render.frame import Picture
+from soccer_env.leagues.league import League
+from soccer_env.render.colours import PANEL
+from soccer_env.render.frame import LEAST_WIDTH, Picture
+from soccer_env.render.header import bar_height
 from soccer_env.render.overlays.flags import select_flags
 from soccer_env.render.overlays.layers import make_overlays
 from soccer_env.render.overlays.onlooker import ReplaySnapshots, new_past_queue
 from soccer_env.render.video import gif_rate, video_kind, write_video
+from soccer_env.render.view import view_of
 from soccer_env.shows.film_settings import FilmSettings
 
 if TYPE_CHECKING:
@@ -55,7 +59,7 @@ def film_frames(
     reel = ReplaySnapshots(replay, flags.any)
     league = reel.cast.league
     steps, fps = drawn_steps(settings, kind, league.control_rate, len(replay))
-    picture = Picture(league, settings.width)
+    picture = Picture(league, widest_picture(league, settings.width, settings.height))
     reel.cast.selected_row(flags, reel.first)
 
     def frames() -> Iterator[np.ndarray]:
@@ -66,13 +70,31 @@ def film_frames(
                 for shot in islice(shots, step - at):
                     past.append(shot)
                 at = step
-                overlays = make_overlays(flags, reel.cast, past[-1], list(past)[:-1], settings.width)
+                overlays = make_overlays(flags, reel.cast, past[-1], list(past)[:-1], picture.width)
                 frame = picture.draw(*past[-1][:3], title=replay.teams, overlays=overlays)
+                frame = with_bars(frame, settings.width, settings.height)
             yield frame
             if note is not None:
                 note(1)
 
     return len(steps), frames(), fps
+
+
+def widest_picture(league: League, width: int, height: int | None) -> int:
+    """Return the width [px] of the largest picture that fits into a width and a height; ValueError if none does."""
+    for wide in range(width, LEAST_WIDTH - 1, -1):
+        if height is None or bar_height(wide) + view_of(league.pitch, wide)[1] <= height:
+            return wide
+    raise ValueError(f"a picture of {league.name} does not fit into a height of {height} pixels")
+
+
+def with_bars(frame: np.ndarray, width: int, height: int | None) -> np.ndarray:
+    """Return a frame (H, W, 3) in the middle of a frame of a width and a height [px]; None: its own height."""
+    high, wide = frame.shape[:2]
+    whole = np.full((height or high, width, 3), PANEL, np.uint8)
+    top, left = (len(whole) - high) // 2, (width - wide) // 2
+    whole[top : top + high, left : left + wide] = frame
+    return whole
 
 
 def check_overwrite(path: str | os.PathLike[str], anew: bool) -> None:

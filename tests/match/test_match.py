@@ -60,6 +60,23 @@ def test_decide_lets_teams_decide_and_leaves_learners_their_commands() -> None:
     assert match.state_hash() == same.state_hash()
 
 
+def test_a_robot_is_taken_from_its_team_and_given_back() -> None:
+    def played(taken: range) -> tuple[Match, list[float]]:
+        match = Match(home=2, away=1, seed=1, senses="ideal", controllers={"home": "chaser", "away": "chaser"})
+        forward = []
+        for step in range(40):
+            match.learns[1] = step in taken
+            match.step(np.full((1, 3, 4), -0.5))
+            forward.append(float(match.robots["command"]["forward"][0, 1]))
+        return match, forward
+
+    match, forward = played(range(10, 20))
+    free, alone = played(range(0))
+    assert forward[:10] == alone[:10] and forward[10:20] == [-0.5] * 10 and -0.5 not in forward[20:]
+    assert match.squads[0].memory["kick"].shape == free.squads[0].memory["kick"].shape
+    assert played(range(10, 20))[0].state_hash() == match.state_hash() != free.state_hash()
+
+
 def test_action_repeat_adds_up_what_single_steps_pay() -> None:
     once = Match("middle-size-2006", home=2, away=2, seed=2)
     four = Match("middle-size-2006", home=2, away=2, seed=2, action_repeat=4)

@@ -209,6 +209,26 @@ def test_escape_closes_the_window_it_was_pressed_in():
     assert not window.show(make_frame()) and window.closed_by_user
 
 
+def test_a_window_knows_which_keys_are_held_down():
+    window = Window()
+
+    def post(kind, **key):
+        pygame.event.post(pygame.event.Event(kind, window=window._window, **key))
+        window.show(make_frame())
+
+    window.show(make_frame())
+    post(pygame.KEYDOWN, key=pygame.K_w)
+    post(pygame.KEYDOWN, key=pygame.K_SPACE)
+    assert window.held == {"w", "space"} and window.pressed() == ["w", "space"]
+    post(pygame.KEYUP, key=pygame.K_w)
+    assert window.held == {"space"} and window.pressed() == []
+    post(pygame.WINDOWFOCUSLOST)
+    assert window.held == set()
+    post(pygame.KEYDOWN, key=pygame.K_w)
+    window.close()
+    assert window.held == set()
+
+
 def test_frames_keep_real_time():
     window, frame = Window(fps=50.0), make_frame()
     window.show(frame)

@@ -17,6 +17,7 @@ from soccer_env.train.command.interrupts import repeat_swallowed_interrupts
 from soccer_env.train.command.match_commands import (
     recheck_sample,
     run_export,
+    run_play,
     run_record,
     run_replay,
     run_sweep,
@@ -38,6 +39,7 @@ SUMMARIES = {
     "claims or variations",
     "bench": "measure the speed against the bare physics",
     "export": "make a film, a browser page, pictures or tables from a replay file",
+    "play": "play in a match yourself, by keyboard or gamepad",
     "record": "play a match or a drill into a replay file",
     "replay": "play a replay file again and check every step",
     "tournament": "rank teams: a cross table, ratings with intervals, who is above whom",
@@ -109,6 +111,7 @@ def kinds_of_settings() -> dict[str, type]:
     """Return the settings class of each command by the command's name."""
     from soccer_env.train.bench.settings import BenchSettings
     from soccer_env.train.command.listing import ListSettings
+    from soccer_env.train.command.playing.settings import PersonSettings
     from soccer_env.train.command.warm_up import WarmUpSettings
     from soccer_env.train.command.watching.settings import WatchSettings
     from soccer_env.train.evaluate.play_settings import ExportSettings, RecordSettings, ReplaySettings
@@ -119,7 +122,7 @@ def kinds_of_settings() -> dict[str, type]:
 
     return {
         "evaluate": EvaluateSettings, "list": ListSettings, "bench": BenchSettings, "export": ExportSettings,
-        "record": RecordSettings, "replay": ReplaySettings, "reproduce": ReproduceSettings,
+        "play": PersonSettings, "record": RecordSettings, "replay": ReplaySettings, "reproduce": ReproduceSettings,
         "tournament": TournamentSettings, "train": TrainSettings, "warm-up": WarmUpSettings, "watch": WatchSettings,
     }  # fmt: skip
 
@@ -271,6 +274,7 @@ COMMANDS: dict[str, Callable[[list[str]], int]] = {
     "list": run_list,
     "bench": run_bench,
     "export": run_export,
+    "play": run_play,
     "record": run_record,
     "replay": run_replay,
     "reproduce": run_reproduce,

@@ -1,4 +1,4 @@
-"""The functions that run `soccer tournament`, `record`, `replay`, `export`, `watch` and `evaluate --recheck`."""
+"""The functions that run `soccer tournament`, `record`, `replay`, `export`, `watch`, `play`, `evaluate --recheck`."""
 
 from __future__ import annotations
 
@@ -154,4 +154,19 @@ def run_watch(words: list[str]) -> int:
 
     with compile_step_beside():
         watch(settings)
+    return 0
+
+
+def run_play(words: list[str]) -> int:
+    """Run `soccer play`."""
+    from soccer_env.train.command.playing.settings import PersonSettings
+
+    settings = read_settings(PersonSettings, words, "play")
+    from soccer_env.train.command.compiling_beside import compile_step_beside
+    from soccer_env.train.command.playing.playing import play
+
+    with compile_step_beside():
+        print(play(settings))
+    if settings.out is not None:
+        print_written_files(settings.out.parent, settings.out.name)
     return 0

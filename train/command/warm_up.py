@@ -20,6 +20,7 @@ from soccer_env.compiling.cache import cache_folders
 from soccer_env.leagues import LEAGUES, find_league
 from soccer_env.scenes import SCENES
 from soccer_env.teams import NAMES
+from soccer_env.train.command.playing.person import Person
 from soccer_env.train.progress import Progress
 from soccer_env.train.written_settings import CommandSettings
 
@@ -78,9 +79,16 @@ def warm_up_parts(settings: WarmUpSettings) -> Iterator[tuple[str, Part]]:
         ]
         alone = {"home": 1, "away": 1, "episode": "drill", "scene": drills[0].name}
         yield f"{league}, a drill", partial(play, league, "chaser", **alone)
+        yield f"{league}, skills of a person's robot", partial(compile_skills_of_person, league)
         for team in NAMES if settings.team == "all" else (settings.team,):
             if family in (getattr(make_team(team), "families", ()) or (family,)):
                 yield f"{league}, {team}", partial(play, league, team)
+
+
+def compile_skills_of_person(league: str) -> None:
+    """Compile the skills that `soccer play` offers."""
+    teams = {"home": "chaser", "away": "still"}
+    Person(Match(league, home=1, away=1, seed=0, controllers=teams, actions="full"), "home").compile_skills()
 
 
 def play(league: str, team: str, **settings: Any) -> None:

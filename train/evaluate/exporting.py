@@ -74,7 +74,8 @@ def export_one(settings: ExportSettings, kind: str) -> str:
             write_page(replay, settings.target, settings.anew, bar.advance, select_flags(settings))
     elif kind == ".png":
         overlays = asdict(select_flags(settings))
-        save_png(frame(replay, settings.start, width=settings.width, **overlays), settings.target)
+        still = frame(replay, settings.start, width=settings.width, height=settings.height, **overlays)
+        save_png(still, settings.target)
         return f"{settings.target}, {settings.target.stat().st_size / 1e3:.0f} kB"
     else:
         with Progress(settings.target.name, len(drawn_steps(settings, kind, rate, len(replay))[0])) as bar:

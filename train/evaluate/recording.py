@@ -3,6 +3,7 @@
 import os
 from math import isfinite
 from pathlib import Path
+from typing import Literal
 
 from soccer_env.leagues import find_league
 from soccer_env.match import Match
@@ -18,8 +19,11 @@ OUTCOMES = {1: "success", -1: "failure", 0: "out of time"}  # of a drill
 NOTE_EVERY = 50  # control steps between two updates of the progress bar
 
 
-def start_match(settings: PlaySettings) -> tuple[Match, Cast]:
-    """Start the match of the settings; return it with its cast (the team of each robot); ValueError if impossible."""
+def start_match(settings: PlaySettings, actions: Literal["box", "full"] = "box") -> tuple[Match, Cast]:
+    """Start the match of the settings; return it with its cast (the team of each robot); ValueError if impossible.
+
+    actions: of robots that are taken from their teams, see `Match.learns`.
+    """
     scene, league = find_scene(settings.scene), find_league(settings.league)
     is_drill = scene.success != "none"
     episode = settings.episode or ("drill" if is_drill else "match")
@@ -34,7 +38,7 @@ def start_match(settings: PlaySettings) -> tuple[Match, Cast]:
     match = Match(
         league, home=sizes[0], away=sizes[1], controllers=cast.controllers, minutes=minutes, seed=settings.seed,
         rules=settings.rules, placement=settings.placement, senses=settings.senses, pose=settings.pose, scene=scene,
-        episode=episode,
+        episode=episode, actions=actions,
     )  # fmt: skip
     return match, cast
 

@@ -8,6 +8,7 @@ from typing import Literal
 
 import tyro
 
+from soccer_env.guards.checking import FROM_ZERO
 from soccer_env.render.overlays.flags import OverlayFlags
 from soccer_env.train.evaluate.play_settings import PlaySettings
 
@@ -20,12 +21,15 @@ class WatchSettings(OverlayFlags, PlaySettings):
     start, H shows all keys (each overlay has one), Escape quits.
     """
 
+    BOUNDS = {"start": FROM_ZERO}
     BASIC = "infrared"  # the last option that --help shows
 
     file: tyro.conf.Positional[Path | None] = None
     """Replay file to show; leave out to play a new match."""
     width: int = 960
     """Width of the picture [pixels]."""
+    start: float = 0.0
+    """Time at which to start [s from the kick-off, or from the start of the recording]."""
     speed: float = 1.0
     """Speed as a multiple of real time, above 0."""
     follow: Literal["", "robot", "ball"] = ""

@@ -34,10 +34,12 @@ def watch(settings: WatchSettings) -> None:
         thoughts = Thoughts(match)
         cast = cast_of(match, NoteReader.of(thoughts) if thoughts.slots else None)
         tape = Tape(play_live(match, thoughts), stride)
-    flags = select_flags(settings)
+    rate, flags = cast.league.control_rate / stride, select_flags(settings)
+    tape.move_by(round(settings.start * rate))
+    if tape.ended:
+        raise ValueError(f"start must lie before the end of the match, got {settings.start:g}")
     cast.selected_row(flags, tape.shot)
-    rate, agents = cast.league.control_rate / stride, tuple(cast.agents)
-    deck = PlaybackControls(tape, rate, settings.speed, flags, agents, settings.follow)
+    deck = PlaybackControls(tape, rate, settings.speed, flags, tuple(cast.agents), settings.follow)
     stays = settings.file is not None
     show(deck, cast, Closeup(cast.league, settings.width), Window("soccer_env"), teams, stays)
 

@@ -2,6 +2,7 @@
 
 belief.py     the belief of one robot, drawn over the true state
 drills.py     a sheet of the drills of each league
+play.py       what a person sees who plays, by the truth and by a belief
 frames.py     the field frame, the team frame and the robot frame on a pitch
 rules.py      a sheet of the rules of a league, each staged and drawn in one frame
 rules_legged.py  the situations of the legged league

@@ -15,14 +15,16 @@ from soccer_env.train.pages.pictures import rules_legged, rules_middle_size
 from soccer_env.train.pages.pictures.belief import belief_picture
 from soccer_env.train.pages.pictures.drills import write_drills
 from soccer_env.train.pages.pictures.frames import frames_picture
+from soccer_env.train.pages.pictures.play import play_picture
 from soccer_env.train.pages.pictures.rules import rules_sheet, ruling_frame
 from soccer_env.train.pages.pictures.settings import FOLDER, MOMENTS, RULING_WIDTH, WIDTH
 
 
 def make_pictures(out: Path = FOLDER) -> None:
-    """Write belief.png, frames.png, the sheets of rules and of drills, and the recorded moments into a folder."""
+    """Write the pictures of beliefs, frames and play, the sheets of rules and drills, and the recorded moments."""
     save_png(belief_picture(), out / "belief.png")
     save_png(frames_picture(), out / "frames.png")
+    save_png(play_picture(), out / "play.png")
     save_png(rules_sheet(rules_legged.RULINGS, RULING_WIDTH), out / "rules-legged.png")
     save_png(rules_sheet(rules_middle_size.RULINGS, RULING_WIDTH), out / "rules-middle-size.png")
     save_png(ruling_frame(rules_legged.RULINGS[0], WIDTH), out / "ruling.png")

@@ -1,6 +1,7 @@
 """`soccer watch`: pause, single steps, speed and going back; a replay or a live match; no display is said."""
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -97,6 +98,24 @@ def test_a_replay_is_shown_until_escape_and_keys_reach_it(monkeypatch: MonkeyPat
     monkeypatch.setattr(Window, "_flip", press)
     assert main(["watch", str(tmp_path / "a.replay"), "--speed", "50", "--width", "320"]) == 0
     assert shown == [0, 0, 1, 1, 1, 17, 33] and keys == []
+    pygame.quit()
+
+
+def test_a_match_is_watched_from_a_time_on(monkeypatch: MonkeyPatch, soccer: Any) -> None:
+    monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
+    shown: list[int] = []
+
+    def close(picture: Picture, match: np.void, *rest: object, **named: object) -> object:
+        shown.append(int(match["step"]))
+        pygame.event.post(pygame.event.Event(pygame.QUIT))
+        return draw(picture, match, *rest, **named)  # type: ignore[arg-type]
+
+    draw = Picture.draw
+    monkeypatch.setattr(Picture, "draw", close)
+    words = ("watch", "--players", 1, "--minutes", 0.1, "--width", 320)
+    soccer(*words, "--start", 2.5)
+    assert shown == [40]
+    assert "start must lie before the end of the match, got 7" in soccer(*words, "--start", 7, code=2)
     pygame.quit()
 
 
