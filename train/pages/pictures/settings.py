@@ -28,8 +28,8 @@ HEINEMANN: dict[str, Any] = {"league": MIDDLE_SIZE, "path": True}
 MOMENTS = (
     Moment(
         "match.gif",
-        {"home": "learned", "away": "chaser", "seed": 5, "minutes": 4.0},
-        {"start": 37.0, "seconds": 19.0, "width": 600, "speed": 4.0, "fps": 10.0},
+        {"league": MIDDLE_SIZE, "home": "learned-2006", "away": "chaser", "players": 2, "seed": 3, "minutes": 1.5},
+        {"start": 4.0, "seconds": 11.5, "width": 600, "speed": 2.0, "fps": 10.0},
     ),
     Moment(
         "middle-size.gif",
@@ -38,8 +38,8 @@ MOMENTS = (
     ),
     Moment(
         "legged.png",
-        {"home": "sacks-2001", "away": "learned", "minutes": 4.0, "seed": 5},
-        {"start": 56.0, "width": WIDTH, "sight": True, "robot": "home_1"},
+        {"home": "sacks-2001", "away": "chaser", "minutes": 4.0, "seed": 5},
+        {"start": 12.0, "width": WIDTH, "sight": True, "robot": "home_1"},
     ),
     Moment(
         "unequal.png",

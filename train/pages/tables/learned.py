@@ -1,7 +1,7 @@
 """The tables of the learned teams: their evaluations, and the time of training."""
 
 import tempfile
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -13,30 +13,29 @@ from soccer_env.train.evaluate.settings import EvaluateSettings
 from soccer_env.train.files import read_lines
 from soccer_env.train.pages.tables.teams import crosstable, goals_of, row_of, row_settings
 
-TEAM = "learned"
-MATCHES = 100
-MINUTES = 4.0
 HELD_OUT = 2  # seed of these evaluations: the policies were trained with other seeds
-LONG = 10.0  # [min] of the match against the chaser
-LEAGUE = "legged-2001"
-TEAMS = ("chaser", "sacks-2001", "sacks-2001-tuned")
+LEARNED = {  # team: its league, opponents, matches of a cell, minutes of a whole match
+    "learned": ("legged-2001", ("chaser", "sacks-2001", "sacks-2001-tuned"), 48, 20.0),
+    "learned-2006": ("middle-size-2006", ("chaser", "heinemann-2006", "weigel-2001"), 12, 30.0),
+}
 CLEAN = ("goals_clean_kick_for", "goals_clean_dribble_for")
 WHISTLES = "fouls_"
 WHISTLED = "whistles a match in the matches against `chaser`, it : them"
 
 
-def learned_rows() -> Iterator[EvaluateSettings]:
-    """Yield the settings of the learned team's evaluations, first the long one against the chaser."""
-    yield row_settings(LEAGUE, TEAM, "chaser", "sensors", MATCHES, LONG, 3, HELD_OUT)
-    for players in (3, 2, 1, 5, "1v3"):
-        for away in TEAMS:
-            yield row_settings(LEAGUE, TEAM, away, "sensors", MATCHES, MINUTES, players, HELD_OUT)
+def learned_rows(team: str) -> Iterator[EvaluateSettings]:
+    """Yield the settings of a learned team's evaluations, in matches of its league's own length."""
+    league, others, matches, minutes = LEARNED[team]
+    for players in (1, 2, 3, 5):
+        for away in others:
+            settings = row_settings(league, team, away, "sensors", matches, minutes, players, HELD_OUT)
+            yield replace(settings, pose="particles")
 
 
-def measure_learned(evaluations: Iterable[EvaluateSettings]) -> dict[str, Any]:
-    """Play evaluations and return their rows, with the rules, the whistles and the number of clean goals."""
+def measure_learned(team: str) -> dict[str, Any]:
+    """Play a learned team's evaluations; return their rows, with the rules, the whistles and the clean goals."""
     rows = []
-    for settings in evaluations:
+    for settings in learned_rows(team):
         result = evaluate(settings)
         rows.append(
             row_of(settings, result)
@@ -57,36 +56,20 @@ def whistles_and_goals(statistics: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def learned_table(table: dict[str, Any]) -> str:
-    """Return the table of a learned team in Markdown: a row for each kind of match, a column for each opponent."""
-    cells, usual = {}, table["rows"][-1]["minutes"]
+    """Return the table of a learned team in Markdown: a row for each team size, a column for each opponent."""
+    cells, first = {}, table["rows"][0]
     for row in table["rows"]:
-        sizes = row["players"] if isinstance(row["players"], str) else f"{row['players']}v{row['players']}"
-        kind = ", ".join([sizes, *[f"{row['minutes']:g} minutes"] * (row["minutes"] != usual)])
-        cells[kind, f"`{row['away']}`"] = f"{goals_of(row)}, {100.0 * row['points']['mean']:.0f} %"
+        sizes = f"{row['players']}v{row['players']}"
+        cells[sizes, f"`{row['away']}`"] = f"{goals_of(row)}, {100.0 * row['points']['mean']:.0f} %"
         if row["away"] == "chaser":
             clean, goals = row["clean_goals"]
-            cells[kind, "clean goals, of all"] = f"{clean:.0f} of {goals:.0f}"
-            cells[kind, WHISTLED] = " : ".join(f"{number / row['matches']:.1f}" for number in row["whistles"])
+            cells[sizes, "clean goals, of all"] = f"{clean:.0f} of {goals:.0f}"
+            cells[sizes, WHISTLED] = " : ".join(f"{number / row['matches']:.1f}" for number in row["whistles"])
     shown = (
-        f"Goal difference a match and share of the points, in {table['rows'][0]['matches']} matches a cell, of "
-        f"{usual:g} minutes unless a row says otherwise."
+        f"Goal difference a match and share of the points, in {first['matches']} matches a cell, of "
+        f"{first['minutes']:g} minutes, the league's own length."
     )
-    return "\n".join([crosstable("players", cells), "", shown, f"Command of a cell: `{table['rows'][0]['command']}`"])
-
-
-# The learned team of the middle size
-
-MIDDLE = "middle-size-2006"
-TEAM_2006, MATCHES_2006, WHOLE = "learned-2006", 12, 30.0  # [min] a whole match
-TEAMS_2006 = ("chaser", "heinemann-2006", "weigel-2001")
-
-
-def learned_2006_rows() -> Iterator[EvaluateSettings]:
-    """Yield the settings of its evaluations, in matches of the league's own length."""
-    for players in (1, 2, 3, 5):
-        for away in TEAMS_2006:
-            settings = row_settings(MIDDLE, TEAM_2006, away, "sensors", MATCHES_2006, WHOLE, players, HELD_OUT)
-            yield replace(settings, pose="particles")  # it was trained with the cheaper "percept"
+    return "\n".join([crosstable("players", cells), "", shown, f"Command of a cell: `{first['command']}`"])
 
 
 # The reference run: the speed of training, and the time of its stages

@@ -27,8 +27,6 @@ from soccer_env.train.pages.tables.drills import drills_table, measure_drills
 from soccer_env.train.pages.tables.headlines import headlines_table
 from soccer_env.train.pages.tables.ladder import ladder_table, measure_ladder
 from soccer_env.train.pages.tables.learned import (
-    learned_2006_rows,
-    learned_rows,
     learned_table,
     measure_learned,
     measure_training,
@@ -118,9 +116,9 @@ TABLES = {
     "sacks": PageTable("baselines/README.md", lambda: measure_rows(sacks_rows()), sacks_table),
     "heinemann": PageTable("baselines/README.md", lambda: measure_rows(heinemann_rows()), heinemann_table),
     "drills": PageTable("soccer_env/scenes/README.md", measure_drills, drills_table),
-    "learned": PageTable("agents/policies/README.md", lambda: measure_learned(learned_rows()), learned_table),
+    "learned": PageTable("agents/policies/README.md", lambda: measure_learned("learned"), learned_table),
     "learned_2006": PageTable(
-        "agents/policies/learned-2006.md", lambda: measure_learned(learned_2006_rows()), learned_table
+        "agents/policies/learned-2006.md", lambda: measure_learned("learned-2006"), learned_table
     ),
     "training": PageTable("train/MEASURED.md", measure_training, training_table),
     "speed": PageTable("train/MEASURED.md", measure_speed, speed_table),

@@ -13,17 +13,16 @@ ROW: dict[str, Any] = {
 }  # fmt: skip
 
 
-def test_a_learned_team_has_a_row_a_kind_of_match_and_a_column_an_opponent() -> None:
-    others = [{"minutes": 10.0}, {"away": "weigel-2001"}, {"players": "1v3", "away": "random"}, {"players": 1}]
+def test_a_learned_team_has_a_row_a_team_size_and_a_column_an_opponent() -> None:
+    others = [{"away": "weigel-2001"}, {"players": 1}]
     lines = learned_table({"rows": [ROW, *(ROW | change for change in others)]}).splitlines()
     value = "+0.50 (+0.40 to +0.60), 62 %"
     assert lines[0].startswith("| players | `chaser` | clean goals, of all | whistles")
-    assert lines[2:6] == [
-        f"| 3v3 | {value} | 9 of 12 | 1.5 : 1.0 | {value} | - |",
-        f"| 3v3, 10 minutes | {value} | 9 of 12 | 1.5 : 1.0 | - | - |",
-        f"| 1v3 | - | - | - | - | {value} |",
-        f"| 1v1 | {value} | 9 of 12 | 1.5 : 1.0 | - | - |",
+    assert lines[2:4] == [
+        f"| 3v3 | {value} | 9 of 12 | 1.5 : 1.0 | {value} |",
+        f"| 1v1 | {value} | 9 of 12 | 1.5 : 1.0 | - |",
     ]
+    assert lines[5].startswith("Goal difference a match and share of the points, in 200 matches a cell, of 4 minutes")
 
 
 def test_the_chasers_table_says_how_many_matches_a_column_has() -> None:
