@@ -7,6 +7,7 @@
 # make bench    measure the speed        make tables        measure the tables of the pages
 # make clean    remove what make built   make tables-check  replay a small part of each table
 # make examples  run the examples of train/examples/: what needs more than `train` in an environment of its own
+# make notebooks  make the notebooks from their pages and run them for their outputs: a quarter of an hour
 # make pictures  draw the pictures of the pages       make docs  build the site into site/, strictly
 # make sacks-table  measure every claim of Sacks 2001 and write baselines/sacks_2001/README.md
 # make heinemann-table  the same of Heinemann et al. 2006, in baselines/heinemann_2006/README.md
@@ -25,7 +26,7 @@ INNER := baselines agents train
 export PYTHONDONTWRITEBYTECODE :=  # each process of the tests would read all sources anew
 PARALLEL := -n auto --dist worksteal  # a process for each core; one that is done takes tests from the others
 
-.PHONY: match test test-all test-quick matrix lint types bench pictures docs tables tables-check sacks-table heinemann-table mutants fuzz examples lock clean
+.PHONY: match test test-all test-quick matrix lint types bench pictures notebooks docs tables tables-check sacks-table heinemann-table mutants fuzz examples lock clean
 .DELETE_ON_ERROR:
 
 LEAGUE := middle-size-2006
@@ -74,6 +75,9 @@ tables-check: $(VENV)/.has-base
 
 pictures: $(VENV)/.has-pictures
 	$(BIN)/python -m soccer_env.train.pages.pictures
+
+notebooks: $(VENV)/.has-train
+	$(BIN)/python -m soccer_env.train.pages.notebooks
 
 docs: $(VENV)/.has-docs types
 	NO_MKDOCS_2_WARNING=1 $(BIN)/python -m mkdocs build --strict

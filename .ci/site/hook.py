@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from mkdocs.config.defaults import MkDocsConfig
 from mkdocs.structure.files import File, Files
-from pages import catalogue, claims, commands, examples, reference
+from pages import catalogue, claims, commands, examples, notebooks, reference
 
 ROOT = reference.ROOT
 PAGES = ("*.md", "soccer_env/**/*.md", "baselines/**/*.md", "agents/**/*.md", "train/**/*.md")
@@ -17,7 +17,7 @@ MADE = {
     "Reference": lambda: [{"Command line": "commands.md"}, *catalogue.navigation(), *reference.navigation()],
     "Explanation": claims.navigation,
 }
-LINKED = ("soccer_env/pictures/*", "agents/policies/*.png", "CITATION.cff")
+LINKED = ("soccer_env/pictures/*", "agents/policies/*.png", "train/*.ipynb", "CITATION.cff")
 
 
 def on_config(config: MkDocsConfig) -> MkDocsConfig:
@@ -32,12 +32,12 @@ def on_config(config: MkDocsConfig) -> MkDocsConfig:
 
 def on_files(files: Files, config: MkDocsConfig) -> Files:
     """Add the pages of the repository, the files that they link, and the pages that are made."""
+    made = catalogue.pages() | claims.pages() | examples.pages() | notebooks.pages() | reference.pages()
     for pattern in (*PAGES, *LINKED):
         for path in sorted(ROOT.glob(pattern)):
-            if path.is_file():
-                uri = path.relative_to(ROOT).as_posix()
+            uri = path.relative_to(ROOT).as_posix()
+            if path.is_file() and uri not in made:  # a page with a notebook is made with its outputs
                 files.append(File.generated(config, uri, abs_src_path=str(path)))
-    made = catalogue.pages() | claims.pages() | examples.pages() | reference.pages()
     for uri, content in {"commands.md": commands.page(), **made}.items():
         files.append(File.generated(config, uri, content=content))
     return files

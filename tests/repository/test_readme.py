@@ -30,8 +30,8 @@ PAGES = (
     "baselines/README.md", "baselines/heinemann_2006/README.md", "baselines/sacks_2001/README.md",
     "baselines/weigel_2001/README.md", "agents/policies/README.md", "train/README.md", "train/MEASURED.md",
 )  # fmt: skip
-TUTORIAL = "train/FROM_ZERO.md"
-OTHERS = ("CHANGELOG.md", "soccer_env/REFERENCES.md", TUTORIAL)  # linked
+TUTORIALS = ("train/FROM_ZERO.md", "train/WATCH_AND_PLOT.md", "train/TRAIN_AND_RANK.md")  # run as notebooks
+OTHERS = ("CHANGELOG.md", "soccer_env/REFERENCES.md", *TUTORIALS)  # linked
 TEXTS = {page: (ROOT / page).read_text(encoding="utf-8") for page in (*PAGES, *OTHERS)}
 EXECUTABLES = {"make", "soccer", "pip", "python", "pytest", "git", "ruff", "mypy"}
 README_LINES = 160

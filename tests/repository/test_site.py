@@ -1,6 +1,7 @@
 """The site: every public name has a place in its reference, and it builds strictly from the pages where they lie."""
 
 import inspect
+import json
 import os
 import re
 import shutil
@@ -165,6 +166,19 @@ def test_every_example_is_a_page_with_its_code(site: Site) -> None:
         code = shown.rsplit("```python\n", 1)[1].removesuffix("\n```\n")
         assert file.read_text(encoding="utf-8").rstrip().endswith(code)
         assert f"({file.stem}.md)" in pages["examples/index.md"]
+
+
+def test_a_page_that_has_a_notebook_stands_there_with_its_outputs(site: Site) -> None:
+    pages = site("pages.notebooks").pages()
+    for file in (ROOT / "train").glob("*.ipynb"):
+        shown = pages[f"train/{file.stem}.md"]
+        lines = file.with_suffix(".md").read_text(encoding="utf-8").splitlines()
+        assert [line for line in lines if line not in shown.splitlines()] == []
+        cells = json.loads(file.read_text(encoding="utf-8"))["cells"]
+        drawn = re.findall(rf"\]\(({file.stem}-\d+\.png)\)", shown)
+        assert all(pages[f"train/{name}"].startswith(b"\x89PNG") for name in drawn)
+        assert shown.count("```text\n") + len(drawn) == sum(len(cell.get("outputs", ())) for cell in cells)
+    assert "train/WATCH_AND_PLOT-3.png" in pages
 
 
 @pytest.mark.slow

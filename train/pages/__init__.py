@@ -1,4 +1,5 @@
-"""The tables and pictures of this repository's pages, made by commands. Not in the wheel.
+"""The tables, pictures and notebooks of this repository's pages, made by commands. Not in the wheel.
 
 tables/     measured, stored as JSON, written into the pages        pictures/   drawn from matches
+notebooks.py  made from pages, and run
 """
