@@ -222,8 +222,7 @@ def robot_numbers(league: League, records: Records) -> dict[str, Any]:
 
     Only the penalty is that of inactive robots too. Beliefs of robots without sensors are empty.
     """
-    pitch, drive, game, robots = league.pitch, league.drive, records["matches"], records["robots"]
-    taker = np.where(game["phase"] == PLAY, game["taker"], -1)  # until another robot touches the ball
+    pitch, drive, robots = league.pitch, league.drive, records["robots"]
     walk, heading, active = robots["walk"], robots["heading"], robots["active"].astype(float)
     numbers = {
         "present": active,
@@ -244,15 +243,27 @@ def robot_numbers(league: League, records: Records) -> dict[str, Any]:
         "kick": np.where(robots["kick_clock"] > 0.0, 1.0, np.where(robots["kick_clock"] < 0.0, -1.0, 0.0)),
         "has_ball": robots["has_ball"],
         "fallen": robots["fallen"] > 0.0,
-        "pushing": soft_time(np.maximum.reduce([robots[x] for x in ("pushing", "keeper_pushing", "charging")]), SHORT),
-        "holding": soft_time(np.maximum(robots["holding"], robots["handling"]), SHORT),
-        "trespass": soft_time(np.maximum.reduce([robots[x] for x in ("trespass", "area_clock", "crowd_clock")]), SHORT),
         "ball_age": soft_time(records["beliefs"]["ball"]["age"], SHORT),
-        "card": robots["yellow"] % 2,
-        "barred": taker[:, None] == np.arange(robots.shape[1]),
+        **what_the_referee_counts(records["matches"], robots),
     }
     shown = {name: np.asarray(column, float) * active for name, column in numbers.items()}
     return shown | {"penalty": soft_time(robots["penalty"], LONG)}
+
+
+def what_the_referee_counts(game: np.ndarray, robots: np.ndarray) -> dict[str, np.ndarray]:
+    """Return the entries of what the referee holds against each robot, (n, R)."""
+    taker = np.where(game["phase"] == PLAY, game["taker"], -1)  # until another robot touches the ball
+    clocks = {  # of the fouls that each league judges; the others' stay at 0
+        "pushing": ("pushing", "keeper_pushing", "charging"),
+        "holding": ("holding", "handling"),
+        "trespass": ("trespass", "area_clock", "crowd_clock"),
+    }
+    longest = {name: np.maximum.reduce([robots[clock] for clock in each]) for name, each in clocks.items()}
+    return {
+        **{name: soft_time(time, SHORT) for name, time in longest.items()},
+        "card": robots["yellow"] % 2,
+        "barred": taker[:, None] == np.arange(robots.shape[1]),
+    }
 
 
 def records_of(match: Match) -> Records:
