@@ -24,7 +24,7 @@ from soccer_env.observations import entry_names
 from soccer_env.teams import ObservingTeam
 
 POLICIES = Path(__file__).parent / "policies"
-BUNDLED = POLICIES / "legged-2001.safetensors"
+BUNDLED = POLICIES / "learned.safetensors"
 BUNDLED_2006 = POLICIES / "learned-2006.safetensors"
 DECISION = [
     ("begun", "i8", FLAG),  # 1 once the episode has begun

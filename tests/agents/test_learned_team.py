@@ -116,23 +116,6 @@ def test_a_policy_of_fewer_inputs_plays_as_its_network_says_to_these(make: Any, 
         assert (commanded(match)[0, :2, :4] == decide(policy, seen[:, columns])).all()
 
 
-def test_the_bundled_policy_is_older_than_the_clocks_and_plays_as_it_was_written() -> None:
-    policy = make_team("learned").policy  # type: ignore[attr-defined]
-    match = Match(home=3, away=3, controllers={"home": "learned", "away": "chaser"}, seed=1, pose="particles")
-    columns = policy.columns(match.league)
-    names = entry_names(match.league, "belief")
-    assert [names[column] for column in columns] == list(policy.inputs) and len(names) - len(columns) == 6
-    asked = 0
-    for _ in range(60):
-        wait = match.squads[0].memory["wait"][0].copy()
-        match.step()
-        if (wait == 0).all():
-            decided = decide(policy, match.squads[0].observations[0, :3][:, columns])
-            assert (commanded(match)[0, :3, :4] == decided).all()
-            asked += 1
-    assert asked >= 20
-
-
 def test_a_policy_plays_beside_other_teams_of_its_side() -> None:
     policy = random_policy(16)
     teams = {"home_1": team_from_policy(policy), "home": "chaser", "away": "still"}

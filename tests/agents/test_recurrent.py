@@ -186,7 +186,7 @@ REFUSED: dict[str, tuple[Any, str]] = {
     "too many units": (tensors(input_bias=np.zeros(387, np.float32)), r"shape \(3 times 1 to 128,\), got \(387,\)"),
     "no multiple of three": (tensors(input_bias=np.zeros(25, np.float32)), r"memory.input_bias must have the shape"),
     "other units": (tensors(state_bias=np.zeros(21, np.float32)), r"state_bias must have the shape \(24,\), got"),
-    "other inputs": (tensors(input_weight=np.zeros((24, 5), np.float32)), r"input_weight must have the shape \(24, 99"),
+    "other inputs": (tensors(input_weight=np.zeros((24, 5), np.float32)), r"input_weight must have the shape \(24, 1"),
     "NaN": (tensors(state_bias=np.full(24, np.nan, np.float32)), "memory.state_bias must be finite"),
     "overflow": (tensors(state_bias=np.full(24, 2e37, np.float32)), r"memory must stay below 1e\+37"),
 }

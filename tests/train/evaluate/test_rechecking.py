@@ -17,7 +17,7 @@ from soccer_env.train.command.command_line import main
 from soccer_env.train.evaluate import EvaluateSettings, evaluate, recheck, rechecking
 
 SHORT: dict[str, Any] = {"home": "chaser", "away": "random", "matches": 6, "minutes": 0.1, "players": 1, "seed": 5}
-POLICY = Path(learned.__file__).parent / "policies" / "legged-2001.safetensors"
+POLICY = Path(learned.__file__).parent / "policies" / "learned.safetensors"
 
 
 @pytest.fixture(scope="module")

@@ -56,5 +56,5 @@ def headlines_table(data: dict[str, Any]) -> str:
     lines += [f"| {row.words} | {row.value} | {commands.index(row.command) + 1} |" for row in rows]
     numbered = [f"{command}  # {number}" for number, command in enumerate(commands, 1)]
     worlds = {data[table]["about"].get("world", "1") for table, *_ in MATCHES if table in data} - {str(WORLD)}
-    older = [f"Matches of world {', '.join(sorted(worlds))}: the present world is {WORLD}.", ""] if worlds else []
-    return "\n".join([*lines, "", *older, "```bash", *numbered, "```"])
+    words = f"Some matches are of world {', '.join(sorted(worlds))}: the present world is {WORLD}."
+    return "\n".join([*lines, "", *([words, ""] if worlds else []), "```bash", *numbered, "```"])
