@@ -225,27 +225,16 @@ def robot_numbers(league: League, records: Records) -> dict[str, Any]:
     pitch, drive, robots = league.pitch, league.drive, records["robots"]
     walk, heading, active = robots["walk"], robots["heading"], robots["active"].astype(float)
     numbers = {
-        "present": active,
-        "keeper": robots["keeper"],
-        "x": robots["x"] / (pitch.length / 2 + pitch.goal_depth),
-        "y": robots["y"] / (pitch.width / 2 + pitch.band_side),
-        "cos": np.cos(heading),
-        "sin": np.sin(heading),
-        "vx": robots["vx"] / drive.forward,
-        "vy": robots["vy"] / drive.forward,
-        "omega": robots["omega"] / drive.turn,
-        "walk_forward": walk["forward"] / drive.forward,
-        "walk_left": walk["left"] / drive.forward,
-        "walk_turn": walk["turn"] / drive.turn,
-        "gait_phase": robots["gait_phase"] / max(drive.gait_steps, 1),
-        "pan": robots["pan"] / np.pi,
-        "tilt": robots["tilt"] / np.pi,
+        "present": active, "keeper": robots["keeper"], "x": robots["x"] / (pitch.length / 2 + pitch.goal_depth),
+        "y": robots["y"] / (pitch.width / 2 + pitch.band_side), "cos": np.cos(heading), "sin": np.sin(heading),
+        "vx": robots["vx"] / drive.forward, "vy": robots["vy"] / drive.forward, "omega": robots["omega"] / drive.turn,
+        "walk_forward": walk["forward"] / drive.forward, "walk_left": walk["left"] / drive.forward,
+        "walk_turn": walk["turn"] / drive.turn, "gait_phase": robots["gait_phase"] / max(drive.gait_steps, 1),
+        "pan": robots["pan"] / np.pi, "tilt": robots["tilt"] / np.pi, "has_ball": robots["has_ball"],
         "kick": np.where(robots["kick_clock"] > 0.0, 1.0, np.where(robots["kick_clock"] < 0.0, -1.0, 0.0)),
-        "has_ball": robots["has_ball"],
-        "fallen": robots["fallen"] > 0.0,
-        "ball_age": soft_time(records["beliefs"]["ball"]["age"], SHORT),
+        "fallen": robots["fallen"] > 0.0, "ball_age": soft_time(records["beliefs"]["ball"]["age"], SHORT),
         **what_the_referee_counts(records["matches"], robots),
-    }
+    }  # fmt: skip
     shown = {name: np.asarray(column, float) * active for name, column in numbers.items()}
     return shown | {"penalty": soft_time(robots["penalty"], LONG)}
 

@@ -10,11 +10,9 @@ from soccer_env.train.pages.tables.teams import PLAYERS, goals_of
 from soccer_env.types import WORLD
 
 MATCHES = (  # table, home, away, words of the row
-    ("learned_2006", "learned-2006", "heinemann-2006", "the team that learned against the team of the 2006 paper"),
-    ("learned_2006", "learned-2006", "chaser", "the same against `chaser`"),
-    ("learned", "learned", "sacks-2001", "the legged team that learned against the team of the 2001 paper"),
+    ("learned_2006", "learned-2006", "chaser", "middle size: the team that learned against `chaser`"),
+    ("learned", "learned", "sacks-2001", "legged: the team that learned against that of the paper"),
     ("learned", "learned", "chaser", "the same against `chaser`"),
-    ("sacks", "sacks-2001", "chaser", "the team of the 2001 paper against `chaser`"),
 )
 RULES = "league"
 SPEEDS = (  # row of the benchmark, words of the row
