@@ -50,7 +50,7 @@ def test_it_plays_as_our_own_inference(case: str, tmp_path: Path) -> None:
     assert len(np.unique(ours.robots["command"]["forward"])) > 2
 
 
-NORMALISED = {"mean": [0.1] * 99, "deviation": [0.5] * 99, "limit": 1.5}
+NORMALISED = {"mean": [0.1] * 100, "deviation": [0.5] * 100, "limit": 1.5}
 WRITTEN: dict[str, Any] = {
     "plain": random_policy(16, 12),
     "mirrored": random_policy(16, mirror=True),
@@ -119,7 +119,7 @@ def test_what_cannot_play_is_refused_in_one_line(tmp_path: Path) -> None:
         make_team(str(tmp_path / "none.onnx"))
     path = exported(random_policy(8, observe="truth"), tmp_path / "truth.onnx")
     match = Match(home=1, away=1, opponents=path, seed=1)
-    with refused(match, "takes 73 inputs, the observation has 99: give observe= as in its training"):
+    with refused(match, "takes 73 inputs, the observation has 100: give observe= as in its training"):
         match.step(np.zeros((1, 2, 4)))
     for setting, said in (("observe=all", "observe must be one of truth, percepts, belief, got 'all'"),
                           ("repeat=3", "has no setting 'repeat'")):  # fmt: skip

@@ -160,7 +160,7 @@ def test_other_policies_are_refused(tmp_path: Path) -> None:
 
 
 def test_other_widths_and_wrong_arguments_are_refused(plain: Path, tmp_path: Path) -> None:
-    assert_zip_refused(plain, f"takes {INPUTS} inputs, 'belief' of 'legged-2001' has 99", observe="belief")
+    assert_zip_refused(plain, f"takes {INPUTS} inputs, 'belief' of 'legged-2001' has 100", observe="belief")
     said = f"takes {INPUTS} inputs, 'truth' of 'middle-size-2006' has 101"
     assert_zip_refused(plain, said, league="middle-size-2006")
     for changes in ({"league": "none"}, {"observe": "all"}, {"activation": "gelu"}, {"action_repeat": 0}, {"name": ""}):

@@ -71,7 +71,7 @@ def test_bad_discrete_actions_are_refused(action, complaint):
     ("arguments", "complaint"),
     [
         *(({"seed": bad}, f"seed.*{bad}") for bad in (-1, 1.5, "seven", True)),
-        ({"options": {"speed": 3}}, "unknown option 'speed'; known: match_seed"),
+        ({"options": {"speed": 3}}, "unknown option 'speed', did you mean 'scene'. known: match_seed"),
         ({"options": 3}, "options must be a dict, got 3"),
         ({"options": {"match_seed": -3}}, "seeds.*-3"),
         ({"options": {"match_seed": 0.5}}, "seeds.*0.5"),

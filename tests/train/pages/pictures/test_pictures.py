@@ -39,7 +39,8 @@ def test_nobody_is_whistled_in_the_opening_film() -> None:
     (film,) = (moment for moment in MOMENTS if moment.name == "match.gif")
     start, seconds = film.shown["start"], film.shown["seconds"]
     teams = {"home": film.recorded["home"], "away": film.recorded["away"]}
-    match = Match(controllers=teams, seed=film.recorded["seed"], minutes=film.recorded["minutes"], pose="particles")
+    size, play = film.recorded["players"], {name: film.recorded[name] for name in ("league", "seed", "minutes")}
+    match = Match(**play, home=size, away=size, controllers=teams, pose="particles")
     goals = []
     for step in range(round((start + seconds) * match.league.control_rate)):
         match.step()

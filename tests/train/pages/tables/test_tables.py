@@ -32,7 +32,7 @@ def test_another_result_changes_its_page_and_the_headlines() -> None:
     (row,) = (
         row
         for row in changed["learned"]["rows"]
-        if (row["away"], row["minutes"], row["senses"], row["players"]) == ("chaser", 10.0, "sensors", 3)
+        if (row["away"], row["minutes"], row["senses"], row["players"]) == ("chaser", 20.0, "sensors", 3)
     )
     row["goal_difference"]["mean"] = -1.23
     differ = [
