@@ -31,7 +31,7 @@ INSTALLS = "pip install"
 BASH = "%%bash -e\n"  # -e: a command that fails ends the cell, and is an error
 KERNEL = {"display_name": "Python 3", "language": "python", "name": "python3"}
 COLOURS = re.compile(r"\x1b\[[0-9;]*m")  # of a terminal: the kernel asks commands for them
-SHOWN = ("image/png", "text/plain")  # of an output, the first that it has
+SHOWN = ("image/png", "text/plain")  # forms of an output; the first of them that an output has is stored
 
 Notebook = Any  # nbformat's node: a dict whose keys are attributes, too
 

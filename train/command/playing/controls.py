@@ -72,7 +72,7 @@ class Gamepad:
             pygame.joystick.init()
 
     def pressed(self) -> list[str]:
-        """Read the buttons; return the keys of those that went down since the last call."""
+        """Read the gamepad; return the keys that stand for the buttons that were pressed since the last call."""
         import pygame
 
         pygame.event.clear((pygame.JOYAXISMOTION, pygame.JOYBUTTONDOWN, pygame.JOYBUTTONUP))  # lest the queue fill up
