@@ -33,8 +33,8 @@ class ReproduceSettings(CommandSettings):
     all: bool = False
     """Measure every claim."""
     quick: bool = False
-    """Take few samples, for a first look: all claims together take five minutes after compiling. Verdicts are marked
-    "(quick)"."""
+    """Take few samples, for a first look: all claims together take some twenty minutes of processor time after
+    compiling. Verdicts are marked "(quick)"."""
     minutes: float | None = None
     """Budget in minutes of one core, split evenly among the claims; the number of samples follows from each claim's
     stated cost."""
