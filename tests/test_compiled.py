@@ -113,6 +113,13 @@ def long_work(values, x):
                 values[j] = np.arctan2(values[i], x) + np.exp(-abs(values[j])) * np.cos(values[j] * x)
             else:
                 values[i] += np.sqrt(abs(values[j] - x)) + np.tan(x) * np.log(1.0 + values[i] * values[i])
+    for i in range(1, values.shape[0]):  # half of this is short enough for some processors' compilers to inline
+        if values[i - 1] > x:
+            values[i] = np.arctan2(values[i - 1], 1.0 + x * x) + np.sin(values[i]) * np.cos(values[i - 1] - x)
+        elif values[i] < np.exp(-x * x):
+            values[i] -= np.log(1.0 + values[i - 1] * values[i - 1]) * np.tanh(values[i] + x)
+        else:
+            values[i - 1] = np.sqrt(abs(values[i] * x)) + np.arctan(values[i - 1]) * np.sinh(x)
     return values[0] + np.cos(values[-1])
 
 
