@@ -23,7 +23,7 @@ class BeliefErrors:
     """Beliefs beside the truth of M matches with R robots, for O objects: own pose, ball, then a track in each slot.
 
     NaN where a robot believes nothing: a pose or ball of confidence 0, a slot that is not in use (there the truth is
-    NaN as well). A track is compared with the nearest player of its team, as it need not know whom it sees.
+    NaN as well). All of a robot that does not play (sent off, or off the field for a penalty) is NaN. A track is compared with the nearest player of its team, as it need not know whom it sees.
     """
 
     believed: np.ndarray  # (M, R, O, 2) [m] x, y: of ball and players in the robot's frame, of itself in the team frame
@@ -84,14 +84,15 @@ def compare(
     own, ball = beliefs["own"], beliefs["ball"]
     direction = home_direction[:, None] * np.where(robots["team"] == HOME, 1.0, -1.0)
     heading = np.where(direction > 0.0, robots["heading"], robots["heading"] + pi)
-    nobody = np.zeros(heading.shape)
+    nobody, plays = np.zeros(heading.shape), robots["active"] == 1
     known = by_object(own["confidence"] > 0.0, ball["confidence"] > 0.0, tracks["present"] == 1)[..., None]
     believed = by_object(places_of(own), places_of(ball), places_of(tracks))
     true_ball = in_robot_frame(robots, places_of(balls)[:, None, None])[:, :, 0]
+    true = by_object(direction[..., None] * places_of(robots), true_ball, nearest_players(robots, tracks))
     return BeliefErrors(
-        believed=np.where(known, believed, np.nan),
-        true=by_object(direction[..., None] * places_of(robots), true_ball, nearest_players(robots, tracks)),
-        heading=(own["heading"] - heading + pi) % (2.0 * pi) - pi,
+        believed=np.where(known & plays[..., None, None], believed, np.nan),
+        true=np.where(plays[..., None, None], true, np.nan),
+        heading=np.where(plays, (own["heading"] - heading + pi) % (2.0 * pi) - pi, np.nan),
         age=by_object(nobody, ball["age"], tracks["age"]),
         confidence=by_object(own["confidence"], ball["confidence"], tracks["confidence"]),
         teammate=by_object(nobody == 1.0, nobody == 1.0, tracks["teammate"] == 1),

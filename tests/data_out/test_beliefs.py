@@ -57,6 +57,15 @@ def test_an_error_is_as_large_as_the_belief_is_wrong(monkeypatch: pytest.MonkeyP
     assert np.nanmax(errors.error[..., 2:]) == pytest.approx(0.05)
 
 
+def test_a_robot_off_the_field_is_neither_right_nor_wrong() -> None:
+    match = ideal()
+    match.robots["active"][0, 1] = 0
+    match.robots["x"][0, 1] = 70.0
+    errors = errors_of(match)
+    assert np.isnan(errors.error[0, 1]).all() and np.isnan(errors.true[0, 1]).all() and np.isnan(errors.heading[0, 1])
+    assert np.nanmax(errors.error) < 1e-9 and np.isnan(errors.heading).sum() == 1
+
+
 def test_a_match_without_senses_says_so() -> None:
     with pytest.raises(ValueError, match="senses"):
         errors_of(Match(home=1, away=1))
