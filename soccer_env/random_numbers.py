@@ -33,6 +33,12 @@ def mix_bits(value):
 
 
 @compiled
+def bits_to_unit_interval(bits):
+    """Convert 64 random bits to a number in [0, 1)."""
+    return np.float64(bits >> np.uint64(11)) * TO_UNIT
+
+
+@compiled
 def draw_uniform(noise, stream):
     """Draw a number from [0, 1) with stream `stream` of the states `noise` (NOISE_STREAMS,)."""
     noise[stream] = noise[stream] + GOLDEN

@@ -23,7 +23,8 @@ class BeliefErrors:
     """Beliefs beside the truth of M matches with R robots, for O objects: own pose, ball, then a track in each slot.
 
     NaN where a robot believes nothing: a pose or ball of confidence 0, a slot that is not in use (there the truth is
-    NaN as well). All of a robot that does not play (sent off, or off the field for a penalty) is NaN. A track is compared with the nearest player of its team, as it need not know whom it sees.
+    NaN as well); all of a robot that is off the field is NaN. A track is compared with the nearest player of its team,
+    as it need not know whom it sees.
     """
 
     believed: np.ndarray  # (M, R, O, 2) [m] x, y: of ball and players in the robot's frame, of itself in the team frame

@@ -29,7 +29,7 @@ from typing import Any, Literal
 from soccer_env.guards.checking import ABOVE_ZERO, Range, raise_not_allowed
 from soccer_env.leagues.checks import PYTHON_ONLY, LeaguePart, check_family
 from soccer_env.leagues.materials import Materials
-from soccer_env.leagues.robot import Block, Body, Drive, Head, Kicker
+from soccer_env.leagues.robot import Block, Body, Drive, Faults, Head, Kicker
 from soccer_env.leagues.robot_kind import check_kind
 from soccer_env.leagues.rules import Rules
 from soccer_env.types import MAX_DELAY_STEPS, MAX_TEAM
@@ -144,6 +144,7 @@ class League(LeaguePart):
     evaluation_placement: Literal["instant", "drive"] = "instant"  # how robots reach their places in an evaluation
     source: str = ""  # of the numbers
     block: Block = Block()  # of goalkeepers that spread their forelegs
+    faults: Faults = Faults()  # how often robots fail
     sensors: Any = None  # Options such as LeggedSensors, OmniSensors; their KIND names the RobotKind, see robot_kind.py
     memory: Any = None  # Options that go with the sensors, such as LeggedMemory, OmniMemory
 

@@ -152,6 +152,23 @@ class Block(LeaguePart):
 
 
 @dataclass(frozen=True)
+class Faults(LeaguePart):
+    """How often robots fail, for training and robustness; all robots of the real leagues' settings work.
+
+    A robot that fails stands where it is, neither drives nor kicks nor turns its head, and goes on sensing.
+    """
+
+    dropouts: float = 0.0  # [1/min] of each robot: it fails for `dropout_time`, then works again
+    dropout_time: float = 5.0  # [s]
+    breakdowns: float = 0.0  # [1/min] of each robot: it fails for the rest of the episode
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if self.dropout_time <= 0.0 or self.dropouts * self.dropout_time > 60.0:
+            raise ValueError("Faults needs a dropout_time above zero, and at most one dropout in each")
+
+
+@dataclass(frozen=True)
 class Head(LeaguePart):
     """Joint limits and speeds of the head [rad, rad/s]; all zero: the camera is fixed."""
 

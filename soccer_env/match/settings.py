@@ -14,6 +14,7 @@ from soccer_env.guards.checking import check_choice, check_whole_number, raise_n
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.leagues.league import League
+from soccer_env.leagues.robot import Faults
 from soccer_env.leagues.rules import Rules, rule_set
 from soccer_env.match.arguments import FREE, MatchSettings, Senses, select_fields
 from soccer_env.match.variation import Variation, find_variation
@@ -116,6 +117,8 @@ class Settings(MatchSettings):
         relevant = {name: value for name, value in self.describe().items() if name not in FREE} | {"limit": self.limit}
         if self.variation is None:
             relevant.pop("variation", None)  # as before there were variations
+        if self.league.faults == Faults():
+            relevant["league"].pop("faults")  # as before there were faults
         return hashlib.sha256(json.dumps(relevant, sort_keys=True).encode()).hexdigest()[:16]
 
 

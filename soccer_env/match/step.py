@@ -31,6 +31,7 @@ from soccer_env.physics.exchange import (
     write_poses,
     write_twists,
 )
+from soccer_env.physics.faults import stop_if_failed
 from soccer_env.physics.kicker import advance_kicker, holds_ball, kicking_robot, squirt_ball
 from soccer_env.physics.solver.contacts import stance_of
 from soccer_env.physics.solver.interlock import catch_legs
@@ -204,15 +205,18 @@ def finish_match(
 @compiled
 def begin_step(match, ball, robots, robot_events, velocities, solver, k):
     """Apply the commands (drive, kick, head) and the friction of the ball; return the number of physics substeps."""
+    fallible = k.faults_dropouts > 0.0 or k.faults_breakdowns > 0.0
     for r in range(robots.shape[0]):
         robot = robots[r]
         if match.placing == 1 or (match.shoot_out > 0 and is_onlooker(match, robots, r)):
             steer_to_place(match, robot, k)
         if k.legs == 1 and robot.gait_phase % k.gait_steps == 0:
             catch_legs(robots, r, k, match.handedness)
+        failed = fallible and stop_if_failed(match, robot, k)
         drive_robot(robot, k, match.step, match.handedness, stance_of(solver, r))
         advance_kicker(robots, r, robot_events[r], k, ball, match.handedness)
-        move_head(robot, k, ball)
+        if not failed:
+            move_head(robot, k, ball)
         robot.placed = 0
         robot.fallen = max(robot.fallen - k.dt, 0.0)
     limit_speed(ball, k)

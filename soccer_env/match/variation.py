@@ -2,9 +2,9 @@
 
     Match(variation={"kicker.fastest": (0.8, 1.2), "sensors.ball_miss": (0.0, 3.0)})
 
-A range holds factors of the league's own number, each as likely as another. Physics, kicks and sensors use the drawn
-numbers. Teams, beliefs, observations and the referee's book know the league's own numbers: no robot is told that it
-kicks weakly today.
+A range holds factors of the league's own number, each as likely as another; of the faults, whose rates are 0 in the
+leagues, it holds the rates themselves. Physics, kicks, faults and sensors use the drawn numbers. Teams, beliefs,
+observations and the referee's book know the league's own: no robot is told that it kicks weakly today.
 """
 
 from __future__ import annotations
@@ -29,7 +29,9 @@ PARTS = {  # of a league: the fields that may vary; None: all its numbers
     "body": ("mass",),
     "drive": None,
     "kicker": None,
+    "faults": ("dropouts", "breakdowns"),
 }
+RATES = "faults."  # numbers that are drawn themselves, not as factors
 SENSED = ("_noise", "_miss", "_loss", "dither", "scale_error", "false_balls")  # ends of names of sensors
 IN_SPACE = ("ball.", "body.", "materials.")  # numbers that a Space holds from its beginning
 
@@ -84,14 +86,16 @@ class Variation:
 def vary_league(league: League, factors: Mapping[str, float]) -> League:
     """Return a league with its numbers times the factors; ValueError if a league cannot have such a number."""
     for name, factor in factors.items():
-        league = multiply(league, name.split("."), factor)
+        league = change(league, name.split("."), factor, name.startswith(RATES))
     return league
 
 
-def multiply(part: Any, path: list[str], factor: float) -> Any:
-    """Return a copy of a part of a league in which the number at the path of names is multiplied."""
+def change(part: Any, path: list[str], factor: float, itself: bool) -> Any:
+    """Return a copy of a part of a league in which the number at the path of names is multiplied, or is the factor."""
     value = getattr(part, path[0])
-    return replace(part, **{path[0]: multiply(value, path[1:], factor) if path[1:] else value * factor})
+    if path[1:]:
+        return replace(part, **{path[0]: change(value, path[1:], factor, itself)})
+    return replace(part, **{path[0]: factor if itself else value * factor})
 
 
 def find_variation(value: Any, league: League) -> Variation | None:

@@ -3,6 +3,7 @@
 drive.py     from commands to wanted velocities: delay, gait or wheels, moving paws; the head's joints
 gait.py      the paws of a walking robot
 block.py     a goalkeeper's block: it spreads its forelegs
+faults.py    robots that fail for a while or for good
 parking.py   places of inactive robots, off the field
 kicker.py    kicks, and whether the ball lies at the kicker
 ball.py      the ball on the carpet: it slides, then rolls

@@ -83,6 +83,42 @@ def test_a_replay_repeats_the_variation(tmp_path: Any) -> None:
     assert Replay.read(path).check() == 100
 
 
+def standing_share(rates: dict[str, float], seconds: float) -> np.ndarray:
+    """Return for each robot of 40 matches and each moment whether random actions do not move it."""
+    ranges = {f"faults.{name}": (rate, rate) for name, rate in rates.items()}
+    match = Match("middle-size-2006", home=2, away=2, matches=40, seed=7, rules="none", variation=ranges)
+    wheel = np.tile([0.0, 0.0, 1.0, 0.0], (40, 4, 1))
+    stands = []
+    for _ in range(round(seconds / match.league.dt)):
+        match.step(wheel)
+        stands.append(np.abs(match.robots["omega"]) < 1e-3)
+    return np.array(stands)[10:]  # once they turn
+
+
+@pytest.mark.slow
+def test_robots_drop_out_as_often_as_said_and_come_back() -> None:
+    stands = standing_share({"dropouts": 3.0}, 60.0)
+    assert stands.mean() == pytest.approx(3.0 * 5.0 / 60.0, abs=0.03)
+    starts = (np.diff(stands.astype(int), axis=0) == 1).sum(axis=0)
+    assert starts.max() >= 2 and starts.min() < starts.max(), "each robot by its own time"
+    assert not stands.all(axis=0).any()
+
+
+@pytest.mark.slow
+def test_robots_that_broke_down_stand_to_the_end_of_the_episode() -> None:
+    stands = standing_share({"breakdowns": 2.0}, 30.0)
+    assert stands[-1].mean() == pytest.approx(1.0 - np.exp(-1.0), abs=0.12)
+    assert (np.diff(stands.astype(int), axis=0) >= 0).all(), "none comes back"
+    assert standing_share({"dropouts": 0.0}, 2.0).sum() == 0
+
+
+def test_a_failed_taker_does_not_hold_up_a_restart() -> None:
+    match = make(variation={"faults.breakdowns": (1000.0, 1000.0)}, placement="drive", minutes=1.0)
+    while not match.terminated.all():
+        match.step()
+    assert match.matches["over"].all() and (match.robots["vx"] == 0.0).all()
+
+
 def test_infos_tell_the_factors() -> None:
     env = soccer_v0.parallel_env(league="middle-size-2006", home=1, away=1, variation=KICK)
     _, infos = env.reset(seed=5)
@@ -102,6 +138,7 @@ def test_observations_do_not_show_the_factors() -> None:
     [
         ({"ball.mas": (0.5, 1.0)}, "did you mean 'ball.mass'"),
         ({"pitch.length": (0.5, 1.0)}, "unknown variation"),
+        ({"faults.dropouts": (0.0, 13.0)}, "out of the league's ranges"),
         ({"ball.mass": 2.0}, "two factors, low and high"),
         ({"ball.mass": (2.0, 1.0)}, "the lower first"),
         ({"ball.mass": (float("nan"), 1.0)}, "the lower first"),

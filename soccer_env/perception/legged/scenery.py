@@ -12,7 +12,7 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import length
 from soccer_env.perception.legged.camera import from_camera, in_view
 from soccer_env.perception.legged.sketch import LANDMARK, NOBODY, OPPONENT_GOAL, OWN_GOAL, PATCHES, draw_panel
-from soccer_env.random_numbers import GOLDEN, MIX_1, MIX_2, TO_UNIT, mix_bits
+from soccer_env.random_numbers import GOLDEN, MIX_1, MIX_2, bits_to_unit_interval, mix_bits
 from soccer_env.records.percepts import LANDMARKS
 
 PATCH_KEY = np.uint64(0xC2B2AE3D27D4EB4F)  # keeps the places of patches independent of the noise streams of a seed
@@ -99,12 +99,6 @@ def patch_position(bits, k, s):
     if along < 2.0 * length_away:
         return along - length_away, width_away, height
     return length_away, along - 2.0 * length_away - width_away, height
-
-
-@compiled
-def bits_to_unit_interval(bits):
-    """Convert 64 random bits to a number in [0, 1)."""
-    return np.float64(bits >> np.uint64(11)) * TO_UNIT
 
 
 @compiled
