@@ -9,6 +9,7 @@ python -m soccer_env.train.pages.tables.heinemann every claim of Heinemann et al
 pages.py     measure the tables, and write them into the pages
 drills.py    teams in drills
 ladder.py    all teams of a league, rated
+robustness.py    all teams under noise, delay, friction and faults
 teams.py     teams against teams      learned.py   the learned team, and the time of its training
 headlines.py the few figures of the main README, taken from the other tables
 plausibility.py   statistics of play beside published figures of real matches

@@ -12,7 +12,7 @@ RUNS = 400  # the interval of a share of 50 % is then +-5 %
 FIXED = ("still", "random", "walker")
 TEAMS = {
     "legged-2001": (*FIXED, "chaser", "sacks-2001", "sacks-2001-tuned", "sacks-2001-future", "learned"),
-    "middle-size-2006": (*FIXED, "chaser", "weigel-2001", "heinemann-2006"),
+    "middle-size-2006": (*FIXED, "chaser", "weigel-2001", "heinemann-2006", "learned-2006"),
 }
 
 

@@ -34,6 +34,7 @@ from soccer_env.train.pages.tables.learned import (
 )
 from soccer_env.train.pages.tables.paper_page import replace_between_markers
 from soccer_env.train.pages.tables.plausibility import measure_plausibility, plausibility_table
+from soccer_env.train.pages.tables.robustness import measure_robustness, robustness_table
 from soccer_env.train.pages.tables.teams import (
     first_pair,
     heinemann_rows,
@@ -63,6 +64,7 @@ PLAYED = (
     "learned",
     "learned_2006",
     "plausibility",
+    "robustness",
 )  # tables whose rows are matches
 SLOWER = 2.0  # factor by which a ratio may grow before the check fails; machines are noisy
 
@@ -115,6 +117,7 @@ TABLES = {
     "scripted": PageTable("baselines/README.md", lambda: measure_rows(scripted_rows()), scripted_table),
     "sacks": PageTable("baselines/README.md", lambda: measure_rows(sacks_rows()), sacks_table),
     "heinemann": PageTable("baselines/README.md", lambda: measure_rows(heinemann_rows()), heinemann_table),
+    "robustness": PageTable("baselines/README.md", measure_robustness, robustness_table),
     "drills": PageTable("soccer_env/scenes/README.md", measure_drills, drills_table),
     "learned": PageTable("agents/policies/README.md", lambda: measure_learned("learned"), learned_table),
     "learned_2006": PageTable(

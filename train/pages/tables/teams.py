@@ -105,7 +105,8 @@ def first_pair(row: dict[str, Any]) -> list[list[Any]]:
     """Play the first pair of a row again; return goals for, goals against and the final state of both matches."""
     names = ("league", "home", "away", "senses", "matches", "asked_minutes", "players", "seed")
     settings = row_settings(*(row[name] for name in names))
-    settings = replace(settings, rules=row.get("rules", settings.rules), pose=row.get("pose"))
+    more = {name: row.get(name, getattr(settings, name)) for name in ("rules", "pose", "variation")}
+    settings = replace(settings, **more)
     league = find_league(settings.league)
     contest = contest_of(conditions_of(settings, league), league, {})
     results = []
