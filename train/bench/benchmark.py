@@ -38,6 +38,7 @@ REFERENCE_RATIO = {"legged-2001": 5.0, "middle-size-2006": 2.5}
 CHASER_SPEED = {"legged-2001": 8_000.0, "middle-size-2006": 20_000.0}  # [match steps/s]
 SENSES_RATIO = 3.0  # all robots with sensors and beliefs, over ideal senses
 PARTICLES_RATIO = 2.0  # localisation by particle filters, over a given noisy pose
+VARIATION_RATIO = 1.05  # all numbers varied, over none, with sensors and beliefs
 SENSES_BYTES = {"percept": 16 * 1024, "particles": 64 * 1024}  # of a match outside Chipmunk
 BELIEF_API_SPEED = 6_000.0  # [steps/s] with observe="belief"
 THREADS_RATIO = 1.7  # two threads over one
@@ -117,6 +118,7 @@ def measure_core(league: str, settings: BenchSettings) -> Samples:
         "random, 2 threads": CoreLoad(league, None, matches, 2, seed),
         "senses": CoreLoad(league, None, matches, 1, seed, "percept"),
         "particles": CoreLoad(league, None, matches, 1, seed, "particles"),
+        "varied": CoreLoad(league, None, matches, 1, seed, "percept", varied=True),
         "chaser floor": OwnPhysicsLoad(league, "chaser", matches, 1, seed),
         "chaser": CoreLoad(league, "chaser", matches, 1, seed),
         "chaser, 2 threads": CoreLoad(league, "chaser", matches, 2, seed),
@@ -156,6 +158,8 @@ def core_rows(league: str, samples: Samples) -> Iterator[Row]:
     )
     cost = ratio(samples, "particles", "senses")
     yield row_with_maximum(f"{league}: particle filters over a given pose", cost, "", PARTICLES_RATIO)
+    cost = ratio(samples, "varied", "senses")
+    yield row_with_maximum(f"{league}: variation of all numbers over none", cost, "", VARIATION_RATIO)
     for load in ("senses", "particles"):
         speed = 1 / median(samples[load])
         yield Row(f"{league}: {load}", speed, f"{speed:,.0f} match steps/s ({speed / rate:,.0f} simulated s/s)")

@@ -11,6 +11,7 @@ import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.match import Match
+from soccer_env.match.variation import RATES, names_of
 from soccer_env.physics.engine.reference import (
     REFERENCE_DISCS,
     REFERENCE_DT,
@@ -49,21 +50,22 @@ class Load(Protocol):
 class CoreLoad:
     """The batched core: random actions of learners, or one team against itself; `pose`: None for ideal senses.
 
-    With a pose, as "percept", all robots have sensors and beliefs.
+    With a pose, as "percept", all robots have sensors and beliefs. varied: all numbers that can vary do so a little.
     """
 
     kind: type[Match] = Match
 
     def __init__(
         self, league: str, team: str | None, matches: int, threads: int, seed: int, pose: str | None = None,
-        players: int = PLAYERS,
+        players: int = PLAYERS, varied: bool = False,
     ) -> None:  # fmt: skip
         self.rng = np.random.default_rng(seed)
         settings = find_league(league)
+        ranges = {name: (0.0, 0.01) if name.startswith(RATES) else (0.95, 1.05) for name in names_of(settings)}
         self.match = self.kind(
             league, home=players, away=players, matches=matches, threads=threads, seed=seed, autoreset="same_step",
             controllers=None if team is None else {"home": team, "away": team}, minutes=settings.evaluation_minutes,
-            **senses_for(pose),
+            variation=ranges if varied else None, **senses_for(pose),
         )  # fmt: skip
         self.draws = None if team is not None else self.rng.uniform(-1.0, 1.0, (DRAWS, matches, 2 * players, 4))
         self.hold, self.steps = round(HOLD * settings.control_rate), 0
