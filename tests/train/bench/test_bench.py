@@ -74,12 +74,13 @@ def test_rows_compare_within_each_repetition() -> None:
         "reference": [1e-6, 3e-6, 1e-6], "random floor": [2e-6, 6e-6, 2e-6], "random": [3e-6, 9e-6, 4e-6],
         "random, 2 threads": [1.5e-6, 5e-6, 2e-6], "chaser floor": [1e-5] * 3, "chaser": [1e-4] * 3,
         "chaser, 2 threads": [6e-5] * 3, "senses": [6e-6, 27e-6, 8e-6], "particles": [1.5e-5] * 3,
+        "varied": [6.3e-6, 27e-6, 8.2e-6],
     }  # fmt: skip
     rows = {row.name.partition(": ")[2]: row for row in bench.core_rows("legged-2001", samples)}
     expected = {
         "random over its own scene": 1.5, "sensors and beliefs over the truth": 2.0, "random over the reference": 3.0,
-        "particle filters over a given pose": 1.875, "chaser against chaser": 10_000,
-        "chaser, two threads over one": 1 / 0.6,
+        "particle filters over a given pose": 1.875, "variation of all numbers over none": 1.025,
+        "chaser against chaser": 10_000, "chaser, two threads over one": 1 / 0.6,
     }  # fmt: skip
     assert {name: rows[name].value for name in expected} == pytest.approx(expected)
     assert rows["random over its own scene"].met and rows["chaser against chaser"].met
