@@ -80,13 +80,6 @@ def test_the_policy_before_training_has_the_shape_of_the_one_after(kind: str) ->
     assert (decide(blank, episodes(5, 1)[:, 0]) == 0.0).all()
 
 
-def test_the_actors_parameters_are_all_but_the_critics() -> None:
-    made = network()
-    own = {id(parameter) for parameter in made.actor_parameters()}
-    rest = [name for name, parameter in made.named_parameters() if id(parameter) not in own]
-    assert rest and all("critic_net" in name for name in rest)
-
-
 def learner(folder: Path, **changes: Any) -> Learner:
     settings = tiny_settings(folder, **REMEMBERING | changes)
     return Learner(settings, make_matches(settings, make_curriculum(settings), settings.sizes))
