@@ -135,7 +135,6 @@ def test_leagues_are_frozen_and_become_constants(name: str) -> None:
 
 
 def modules_of_leagues() -> list[ModuleType]:
-    """Return the modules of soccer_env/leagues/ that hold a league."""
     names = [found.name for found in pkgutil.iter_modules(leagues.__path__)]
     found = [importlib.import_module(f"soccer_env.leagues.{name}") for name in names]
     return [module for module in found if hasattr(module, "LEAGUE")]

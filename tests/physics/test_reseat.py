@@ -88,7 +88,6 @@ def _useful_for_two(monkeypatch):
 
 
 def played(league, steps, fetches=True):
-    """Let two matches played at random; return them."""
     match = Match(league, home=PLAYERS, away=PLAYERS, matches=2, seed=3)
     if not fetches:
         match.batch.physics.links["spans"] = 0

@@ -30,15 +30,12 @@ class Prompt(InteractiveConsole):
     """Python's prompt, into which lines are pasted: an error is raised."""
 
     def showtraceback(self) -> None:
-        """Raise the error that is handled."""
         raise  # called where it is handled
 
     def showsyntaxerror(self, filename: str | None = None, **_: Any) -> None:
-        """Raise the error that is handled."""
         raise  # the same
 
     def paste(self, text: str) -> None:
-        """Type the lines of a text, then Enter."""
         for line in [*text.splitlines(), ""]:
             self.push(line)
 

@@ -19,7 +19,6 @@ ROWS = (3, 3)
 
 
 def shots(steps: Steps, team: int = HOME) -> list[Any]:
-    """Return the shots of a team."""
     return maps_of_team(steps.tally[0], team, ROWS)["shots_for"]
 
 

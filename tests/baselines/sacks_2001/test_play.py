@@ -37,12 +37,6 @@ def numbers(match: Match) -> np.ndarray:
     return np.stack([match.robots["command"][name] for name in COMMAND.names or ()], axis=-1)
 
 
-def test_other_leagues_are_refused() -> None:
-    with pytest.raises(ValueError, match="'sacks-2001' is for legged leagues, 'middle-size-2006' is middle-size"):
-        Match("middle-size-2006", controllers={"home": "sacks-2001"}, seed=1)
-    Match("legged-2001-upright", controllers={"home": "sacks-2001", "away": "still"}, seed=1).step()
-
-
 @pytest.mark.parametrize(("changes", "message"), [
     ({"strength": 1.5}, "strength must be 0 to 1"), ({"exponent": 4}, "exponent must be 1 to 3"),
     ({"exponent": 1.5}, "exponent must be a whole number, 1 to 3"),

@@ -182,7 +182,6 @@ def test_who_is_out_measures_nothing_nothing_far_reads_as_near_and_all_in_one_pl
 
 
 def read(records: Records) -> np.ndarray:
-    """Return what the rangers read."""
     found = np.zeros(records.robots.shape)
     sensors = LEAGUE.sensors.record()
     measure_all(records.matches, records.balls, records.robots, constants_of(LEAGUE), sensors, found)
