@@ -26,7 +26,6 @@ SEEN: list[tuple[str, str, dict[str, Any]]] = [
     ("truth", "ideal", {}), ("belief", "ideal", {}), ("belief", "sensors", {}),
     ("belief", "sensors", {"pose": "particles"}), ("percepts", "sensors", {}),
 ]  # fmt: skip
-NAMES = ("forward", "left", "turn", "kick")
 
 
 def commanded(match: Match) -> np.ndarray:

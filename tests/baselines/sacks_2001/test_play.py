@@ -26,7 +26,6 @@ from tests.scenes.sacks_beliefs import MEMORY_LATERAL, draw_beliefs, draw_tracks
 from tests.scenes.staging import LEGGED, league_without_calls, put_ball, send_off, set_phase
 from tests.scenes.symmetry import mirrored_actions, mirrored_beliefs, mirrored_tracks
 
-TEAMS = ("sacks-2001", "sacks-2001-tuned", "sacks-2001-future")
 BUSY = (APPROACH, BACK, SIDESTEP, ROTATE, ORBIT, DRIBBLE, SHOOT, PASS)  # supporters and goalkeepers may stand
 STANDS, LONG = 0.05, 30.0  # [m] within which a robot stands; [s] for which no busy one may
 PAUSE = 3.0  # [s] of other things that end a standstill
