@@ -169,7 +169,7 @@ def test_ppo_learns_to_remember_and_a_plain_actor_does_not(units: int, least: fl
     settings = TrainSettings(memory=units, batch=480, epochs=6, target_kl=0.02)
     made, matches = network(units, 2, noise=0.5), BallSeenOnce()
     optimizer, start = make_optimizer(made, 0.003), Start(matches.seen(), made.no_states(matches.num_envs))
-    for _ in range(40):
+    for _ in range(20):
         rollout, start = collect(made, matches, start, 30, 0.99, 0.95, lambda: None)  # type: ignore[arg-type]
         update(made, optimizer, rollout, settings, actor=True)
     assert least < np.mean(matches.paid[-30:]) <= most, "with noise; by chance 0, at best 1"
