@@ -205,8 +205,8 @@ def test_a_cache_that_cannot_be_written_falls_back_to_the_temporary_folder(root)
 def test_files_that_are_cut_or_have_a_flipped_bit_are_compiled_again(root):
     """Machine code with another bit would crash, or compute something else."""
     report(root)
-    for share in (None, 0.0, 0.3, 0.6, 0.9, 0.999):
-        for file in (root / "cache").iterdir():
+    for shares in ((None, 0.0, 0.3, 0.6), (0.6, 0.9, 0.999, 0.0)):  # a file of each function
+        for share, file in zip(shares, sorted((root / "cache").iterdir()), strict=True):
             content = bytearray(file.read_bytes())
             if share is None:
                 del content[1000:]
@@ -214,7 +214,7 @@ def test_files_that_are_cut_or_have_a_flipped_bit_are_compiled_again(root):
                 content[int(share * len(content))] ^= 4
             file.write_bytes(content)
         assert report(root) == ([11.0, 2.0, 111.0], [1, 1, 1])
-        assert report(root) == ([11.0, 2.0, 111.0], [0, 0, 0])
+    assert report(root) == ([11.0, 2.0, 111.0], [0, 0, 0])
 
 
 @pytest.mark.skipif(os.name == "nt", reason="Windows has no such permissions")

@@ -141,8 +141,6 @@ print(match.state_hash())
 
 @dataclass(frozen=True)
 class Slow:
-    """A user's own team."""
-
     name: str = "slow"
     memory_dtype: np.dtype = field(default_factory=lambda: np.dtype([("steps", "i8")]))
 

@@ -51,7 +51,6 @@ def sources(folder: Path) -> dict[str, tuple[bytes, Callable[[Path], Any]]]:
 
 
 def plays(content: bytes) -> None:
-    """Let the network of an ONNX file decide."""
     OnnxPolicy(content, "fuzzed.onnx")(ROWS)
 
 

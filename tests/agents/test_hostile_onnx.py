@@ -74,7 +74,6 @@ def body(name: str) -> Any:
 
 
 def forever() -> Any:
-    """Return a loop of 2^62 rounds."""
     constants = [array("rounds", 2**62), array("yes", True, kind=bool)]
     return small(node("Loop", "rounds yes x", "y", body=body("forever")), constants=constants)
 

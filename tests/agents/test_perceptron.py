@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from soccer_env.agents.learned import MEMORY, decide_slice, team_from_policy
-from soccer_env.agents.perceptron import pack_policy, widest_layer
+from soccer_env.agents.learned import MEMORY, decide_slice
+from soccer_env.agents.perceptron import pack_policy
 from soccer_env.agents.policy import Policy
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
@@ -82,15 +82,6 @@ def test_an_action_is_the_same_whatever_else_is_in_the_batch(mirror: bool, make:
     assert commands_of(policy, seen, [0, 1, 2], 0, 33)[17, 1] == everybody[17, 1]
 
 
-def test_a_team_gives_what_the_network_gives() -> None:
-    policy = random_policy(32)
-    seen = observations(policy, 6).reshape(3, 2, -1)
-    commands, actions = commands_of(policy, seen, [0, 1], 0, 3), decide(policy, seen.reshape(6, -1)).reshape(3, 2, 4)
-    for index, name in enumerate(("forward", "left", "turn", "kick")):
-        assert (commands[name] == actions[..., index]).all()
-    assert (commands["head"] == -1.0).all()
-
-
 @pytest.mark.parametrize("make", [random_policy, random_attention_policy])
 @pytest.mark.parametrize("actions", ["box", "full"])
 @pytest.mark.parametrize("observe", ["truth", "belief"])
@@ -103,11 +94,3 @@ def test_a_mirror_policy_does_the_mirrored_for_the_mirrored_exactly(observe: str
     plain = make(64, 64, observe=observe, actions=actions)
     decided, mirrored = decide(plain, rows), decide(plain, rows * signs)
     assert np.abs(mirrored - decided * action_signs(decided.shape[1])).max() > 0.1, "others do not promise that"
-
-
-def test_networks_of_all_shapes_have_numbers_for_settings_that_saves_compare() -> None:
-    one, other = random_policy(8, 5), random_policy(8, 5, seed=2)
-    assert widest_layer(pack_policy(one)) == len(one.inputs)
-    team = team_from_policy(one)
-    assert team.settings.dtype == np.float64 and (pack_policy(one) == team.settings).all()
-    assert (pack_policy(one) != pack_policy(other)).any()

@@ -46,8 +46,6 @@ class CleanSac(nn.Module):  # type: ignore[misc]
 
 
 class CleanAgent(nn.Module):  # type: ignore[misc]
-    """The agent of CleanRL's PPO."""
-
     def __init__(self) -> None:
         super().__init__()
         self.critic, self.actor_mean = mlp(8, 1), mlp(12, 12, 4)
@@ -81,7 +79,6 @@ class Scale:
 
 
 def head(outputs: np.ndarray, kind: str) -> np.ndarray:
-    """Return the actions that outputs mean."""
     if kind == "discrete":
         return DISCRETE_TABLE[outputs.argmax(axis=-1)]
     if kind == "multi":

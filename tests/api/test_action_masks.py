@@ -1,11 +1,10 @@
 """Masks of indices in infos, as PettingZoo has them: an action space samples by the mask of its agent."""
 
-import gymnasium
 import numpy as np
 import pytest
 
 from soccer_env import soccer_v0
-from tests.scenes.staged_envs import make_single_env, make_vector_env
+from tests.scenes.staged_envs import make_vector_env
 from tests.scenes.staging import LEAGUES
 
 
@@ -66,11 +65,3 @@ def test_the_vector_env_has_the_masks_of_all_matches_and_those_of_the_end(action
             assert truncated.all() == (step == 4)
         if mode == "SameStep":
             assert infos["final_info"]["action_mask"].shape == (3, size)
-
-
-def test_a_single_env_of_gymnasium_has_it_too():
-    env = make_single_env(actions="multi")
-    _, info = env.reset(seed=1)
-    assert isinstance(env.action_space, gymnasium.spaces.MultiDiscrete)
-    _, _, _, _, info = env.step(env.action_space.sample(info["action_mask"]))
-    assert len(info["action_mask"]) == 4

@@ -130,16 +130,6 @@ def test_an_episode_goes_on_within_a_turn_and_after_its_end(maker: Any, after: i
     assert other.agents == ["home_0", "home_1", "away_0"]
 
 
-def test_discrete_actions_wait_in_a_save_too() -> None:
-    env, other = (soccer_v0.env(**SETTINGS, actions="discrete") for _ in range(2))
-    env.reset(seed=1)
-    env.step(np.int64(3))
-    other.load(env.save())
-    for one in (env, other):
-        one.step(5), one.step(0)
-    assert env.unwrapped.match.state_hash() == other.unwrapped.match.state_hash()
-
-
 def forged(saved: bytes, **changes: Any) -> bytes:
     """Return a save whose turn says something else, with a sum that is right."""
     start = len(MAGIC) + 4

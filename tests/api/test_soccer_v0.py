@@ -84,19 +84,6 @@ def test_observations_and_state_stay_in_their_spaces_through_a_whole_match(leagu
     assert infos["away_0"]["phase"] == Phase.OVER
 
 
-def test_seeds_differ_and_a_reset_without_one_goes_on_to_the_next_episode():
-    one, other = soccer_v0.parallel_env(), soccer_v0.parallel_env()
-    first = one.reset(seed=1)[0]["home_0"]
-    assert not np.array_equal(first, one.reset(seed=2)[0]["home_0"])
-    assert np.array_equal(first, one.reset(seed=1)[0]["home_0"])
-    second = one.reset()[0]["home_0"]
-    assert not np.array_equal(first, second)
-    other.reset(seed=1)
-    assert np.array_equal(second, other.reset()[0]["home_0"])
-    free = [soccer_v0.parallel_env().reset()[0]["home_0"] for _ in range(2)]
-    assert not np.array_equal(*free)
-
-
 @pytest.mark.parametrize("league", LEAGUES)
 def test_one_env_is_a_match_of_64(league):
     many = Match(league, home=2, away=2, matches=64, seed=8)

@@ -18,7 +18,6 @@ from tests.scenes.staging import play, refused
 
 @compiled
 def go_to_middle(belief, tracks, memory, noise, command, k, settings, scratch):  # type: ignore[no-untyped-def]
-    """Go to the centre spot by a skill."""
     scratch.pace, scratch.elapsed = settings.hurry, k.dt
     fill_sight(scratch, belief, tracks, k)
     go(command, scratch, k, settings, 0.0, 0.0, 0.0, 0.0)
@@ -26,7 +25,6 @@ def go_to_middle(belief, tracks, memory, noise, command, k, settings, scratch): 
 
 @compiled
 def add_words(belief, tracks, memory, noise, command, k, settings, scratch):  # type: ignore[no-untyped-def]
-    """Say what no compiler takes."""
     command.forward = belief + "a word"
 
 

@@ -19,7 +19,6 @@ LEAGUE = "legged-2001"
 
 
 def policy(seed: int = 0, league: str = LEAGUE, **changes: str) -> Policy:
-    """Return a policy of random weights."""
     rng, trained = np.random.default_rng(seed), find_league(league)
     inputs = tuple(entry_names(trained, "belief"))
     made = Policy(

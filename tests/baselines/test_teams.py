@@ -231,7 +231,6 @@ def count(belief, tracks, memory, noise, command, k, settings, scratch):  # type
 
 @compiled
 def walk(memory, noise, command, k, settings):  # type: ignore[no-untyped-def]
-    """Walk as fast as the strength says."""
     command.forward = settings.strength
 
 

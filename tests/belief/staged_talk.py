@@ -59,12 +59,10 @@ class Talkers:
         self.beliefs["ball"]["confidence"][r], self.beliefs["ball"]["age"][r] = 0.0, 20.0
 
     def step(self, frames: int = 1) -> None:
-        """Let some frames pass."""
         for _ in range(frames):
             self.percepts["body"]["frame"] += 1
             common = self.percepts, self.beliefs, self.tracks, self.messages, self.noise, self.constants, self.sensors
             (talk_by_radio if self.radio else talk)(*common, self.settings, self.home, self.rows)
 
     def heard(self, name: str = "word") -> list[Any]:
-        """Return what all robots have heard."""
         return self.beliefs["heard"][name].tolist()

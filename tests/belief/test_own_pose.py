@@ -3,11 +3,7 @@
 Sacks 2001 says nothing of self-localisation; Heinemann et al. 2006, 1, call theirs "efficient and reliable".
 """
 
-import os
-import subprocess
-import sys
 from dataclasses import replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -138,19 +134,6 @@ def test_steps_add_up_as_a_rigid_body_moves() -> None:
 
 
 @each_league
-def test_a_robot_that_sees_nothing_for_minutes_stays_finite_and_loses_confidence(name: str) -> None:
-    world = informed(name, 2.0, robots=10)
-    world.blind, confidence = True, []
-    for seconds in (2.0, 8.0, 170.0):
-        world.walk(seconds)
-        confidence.append(world.own["confidence"].mean())
-    assert 100.0 > confidence[0] > confidence[1] > confidence[2] and confidence[2] < 10.0
-    assert_finite(world)
-    world.blind = False
-    assert (world.walk(RECOVERY)[-1] < NEAR[name]).mean() >= 0.9
-
-
-@each_league
 @pytest.mark.parametrize("particles", [1, 2, 7])
 def test_any_number_of_particles_runs(name: str, particles: int) -> None:
     assert_finite(informed(name, 10.0, robots=5, particles=particles))
@@ -176,26 +159,3 @@ def test_a_told_pose_is_taken_and_all_particles_go_there_and_a_noisy_one_that_is
     for field in POSE:
         assert (world.own[field] == body[field]).all()
     assert (world.own["confidence"] == 100.0).all()
-
-
-SCRIPT = """
-import sys
-sys.path.insert(0, {root!r})
-from tests.scenes.pose_worlds import World
-for league in ("legged-2001", "middle-size-2006"):
-    world = World(league, robots=1)
-    world.tell()
-    world.walk(0.4)
-    world.kidnap()
-    world.walk(0.4)
-    print(world.own.tobytes().hex(), world.particles.tobytes().hex(), world.memories.tobytes().hex())
-"""
-
-
-@pytest.mark.slow
-def test_compiled_code_and_plain_python_agree_to_the_last_bit() -> None:
-    script, outputs = SCRIPT.format(root=str(Path(__file__).parents[2])), []
-    for disabled in ("0", "1"):
-        environment = {**os.environ, "NUMBA_DISABLE_JIT": disabled, "SOCCER_ENV_QUIET": "1"}
-        outputs.append(subprocess.check_output([sys.executable, "-c", script], env=environment))
-    assert outputs[0] == outputs[1]

@@ -54,18 +54,6 @@ def read_csv(path: Path) -> list[dict[str, str]]:
         return [*csv.DictReader(file)]
 
 
-def test_csv_holds_the_table(found: Any, tmp_path: Path) -> None:
-    paths = write_tables([match_tables(found)], tmp_path / "x.csv")
-    rows, table = read_csv(paths["tracking"]), tracking_table(found)
-    assert len(rows) == len(table["x"])
-    assert [*rows[0]] == [column.name for column in TRACKING]
-    assert [float(row["x"]) for row in rows] == pytest.approx(table["x"], abs=1e-6)
-    assert rows[0]["heading"] == ""
-    assert {row["on_pitch"] for row in rows} <= {"true", "false"}
-    assert len(read_csv(paths["events"])) == len(found.events)
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["x.csv", "x_events.csv"]
-
-
 def test_parquet_holds_the_table_with_units(found: Any, tmp_path: Path) -> None:
     parquet = pytest.importorskip("pyarrow.parquet")
     paths = write_tables([match_tables(found)] * 2, tmp_path / "x.parquet")

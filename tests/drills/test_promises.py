@@ -10,7 +10,7 @@ from soccer_env.scenes.drills_alone import AT_BOARD, DRILLS_ALONE, IN_CORNER
 from soccer_env.scenes.drills_legged import DRILLS_LEGGED, GAP, KEEPER_OUT
 from soccer_env.scenes.judging import PAST
 from soccer_env.types import HOME, Phase
-from tests.scenes.staging import LEAGUES, LEGGED, MIDDLE, each_league, play, robot_actions
+from tests.scenes.staging import LEGGED, MIDDLE, each_league, play, robot_actions
 
 MATCHES = 60
 DRIBBLES = [scene.name for scene in DRILLS_LEGGED if scene.success == "home gets past"]
@@ -270,13 +270,3 @@ def test_who_keeps_the_ball_until_time_is_up_succeeds_and_who_lets_others_have_i
     assert (match.events["drill"][:30] == -1).all() and not match.events["drill"][30:].any()
     play(match, steps=round(SCENES["keep-away"].time_limit * match.league.control_rate) - 1)
     assert (match.events["drill"][30:] == 1).all() and match.terminated[30:].all()
-
-
-def test_every_drill_is_told_of_here() -> None:
-    told = {*DRIBBLES, "facing-wall", "ball-behind-robot", "head-on-push", "far-post-shots"}
-    told |= {"lost-ball-behind", "ball-at-board", "ball-in-corner"}
-    common = {"empty-goal", "shot-at-keeper"}
-    told |= {"far-post-shot", "near-post-shot", "receive-pass", "challenge-2003", "three-v-one", "counter-attack"}
-    told |= {"pass-and-shoot", "two-v-two", "keep-away", "one-v-keeper", "kick-off-goal", "corner-kick", "free-kick"}
-    told |= {"empty-goal-far", "run-to-score", "contested-ball", "win-the-ball"}
-    assert told | common == {name for name, scene in SCENES.items() if scene.success != "none"} and len(LEAGUES) == 2

@@ -42,8 +42,6 @@ def groups(tasks: Iterable[tuple[Any, Task]], size: int) -> Iterator[list[tuple[
 
 
 class Child(NamedTuple):
-    """A process, and what it does."""
-
     number: int
     tasks: list[tuple[Any, Task]]
     tells: int  # where it writes a line for each task

@@ -30,14 +30,6 @@ def numbers() -> list[tuple[str, str, str]]:
     return found
 
 
-@pytest.mark.parametrize(("league", "part", "field"), numbers())
-@pytest.mark.parametrize("bad", [nan, inf, -inf])
-def test_no_number_may_be_infinite_or_nan(league: str, part: str, field: str, bad: float) -> None:
-    record = getattr(LEAGUES[league], part)
-    with pytest.raises(ValueError, match=field):
-        replace(record, **{field: bad})
-
-
 SIGNED = {"tip_x", "disc_x", "hind_x", "tilt_low"}  # may be negative
 
 
@@ -51,8 +43,8 @@ def test_no_other_number_may_be_negative(part: str) -> None:
 
 
 @pytest.mark.parametrize("part", PARTS)
-@pytest.mark.parametrize("bad", ["1", None, True, np.float32("nan"), 1j])
-def test_a_number_must_be_one(part: str, bad: object) -> None:
+@pytest.mark.parametrize("bad", [nan, inf, -inf, "1", None, True, np.float32("nan"), 1j])
+def test_a_number_must_be_one_and_finite(part: str, bad: object) -> None:
     """A NaN of numpy's, or a word, used to reach the physics and end the process."""
     for league, where, field in numbers():
         if where == part:
@@ -135,7 +127,6 @@ def test_leagues_are_frozen_and_become_constants(name: str) -> None:
 
 
 def modules_of_leagues() -> list[ModuleType]:
-    """Return the modules of soccer_env/leagues/ that hold a league."""
     names = [found.name for found in pkgutil.iter_modules(leagues.__path__)]
     found = [importlib.import_module(f"soccer_env.leagues.{name}") for name in names]
     return [module for module in found if hasattr(module, "LEAGUE")]

@@ -133,22 +133,6 @@ def test_what_cannot_be_branched_is_said_and_changes_nothing(given: dict[str, An
     assert match.state_hash() == before
 
 
-@pytest.mark.parametrize(
-    ("settings", "message"),
-    [
-        ({"minutes": 3.0}, "minutes 3.0 there, None here$"),
-        ({"senses": "ideal", "max_cycles": 9}, "senses ideal there, sensors here; max_cycles 9 there, None here$"),
-        ({"controllers": {"away": "chaser"}}, r"teams differ: chaser \(away_0, away_1\) there, sacks-2001 \("),
-        ({"home": 3}, "home 3 there, 2 here$"),
-        ({"observe": "belief"}, "observe 'belief' there, 'truth' here$"),
-    ],
-)
-def test_a_match_that_does_not_fit_is_refused(settings: dict[str, Any], message: str) -> None:
-    match, planner = played(steps=5), played(steps=9, **settings)
-    with refused(planner, f"into does not fit this match: {message}"):
-        match.branch(0, planner)
-
-
 @pytest.mark.parametrize("league", LEAGUES)
 def test_a_save_of_one_match_goes_into_many_rows_of_another(league: str) -> None:
     match, planner = played(league), played(league, 17, matches=6)
@@ -190,18 +174,21 @@ def test_a_save_of_another_number_of_matches_is_refused(rows: Any, message: str)
     ("settings", "message"),
     [
         ({"observe": "belief", "senses": "ideal"}, "senses ideal there, sensors here; observe 'belief' there"),
-        ({"max_cycles": 30}, "max_cycles 30 there, None here$"),
+        ({"minutes": 3.0}, "minutes 3.0 there, None here$"),
         ({"action_repeat": 4, "max_cycles": 30}, "max_cycles 30 there, None here; action_repeat 4 there, 1 here$"),
         ({"max_players": 4}, "max_players 4 there, None here"),
         ({"rules": "simple"}, "rules simple there, league here$"),
         ({"sensors": {"view_width": 0.9}}, "sensors of other settings$"),
         ({"controllers": {"away": "sacks-2001@0.5"}}, "teams differ: sacks-2001@0.5 "),
+        ({"home": 3}, "home 3 there, 2 here$"),
     ],
 )
-def test_a_save_that_does_not_fit_names_the_settings_that_differ(settings: dict[str, Any], message: str) -> None:
-    match = played(steps=5)
-    with pytest.raises(ValueError, match=f"this save does not fit the match: .*{message}"):
-        match.load(played(steps=5, **settings).save())
+def test_a_save_or_match_that_does_not_fit_names_the_settings_that_differ(settings: Any, message: str) -> None:
+    match, other = played(steps=5), played(steps=5, **settings)
+    with refused(match, f"this save does not fit the match: .*{message}"):
+        match.load(other.save())
+    with refused(other, f"into does not fit this match: .*{message}"):
+        match.branch(0, other)
 
 
 def test_what_changes_no_future_is_not_named() -> None:

@@ -72,11 +72,10 @@ def test_a_match_alone_is_the_same_match_among_64(league: str) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("league", LEAGUES)
-@pytest.mark.parametrize("team", ["chaser", "random"])
-def test_threads_do_not_matter(league: str, team: str) -> None:
+def test_threads_do_not_matter(league: str) -> None:
     hashes = []
     for threads in (1, 2, 4):
-        match = Match(league, matches=16, seed=3, threads=threads, controllers={"home": team, "away": team})
+        match = Match(league, matches=16, seed=3, threads=threads, controllers={"home": "chaser", "away": "random"})
         for _ in range(500):
             match.step()
         hashes.append(match.state_hash())

@@ -25,7 +25,6 @@ GOLDEN = {
 
 
 def here() -> str:
-    """Return the versions on which bits might depend."""
     versions = ", ".join(f"{name} {version(name)}" for name in ("pymunk", "numba", "numpy"))
     return f"Python {platform.python_version()}, {versions}"
 

@@ -170,12 +170,6 @@ def test_every_attribute_in_the_table_is_there_in_its_shape(match: Match) -> Non
     assert len(match.agents) == 4 and match.settings.rewards.gamma == 0.99
 
 
-def test_final_has_a_row_for_each_match_that_began_anew(match: Match) -> None:
-    assert match.ended.tolist() == [0, 1, 2]
-    assert match.final["observations"].shape == (3, 4, len(match.observation_names))
-    assert len(match.final["state"]) == 3
-
-
 def test_a_run_that_saves_is_a_run_of_its_own_and_one_that_saves_at_the_same_steps_the_same() -> None:
     def played(saves_at: tuple[int, ...]) -> str:
         match = Match(home=2, away=2, seed=4, controllers={"home": "chaser", "away": "chaser"})

@@ -89,13 +89,6 @@ def test_a_compiled_team_is_clipped_and_checked() -> None:
     assert np.isfinite(match.robots["x"]).all()
 
 
-def test_one_terms_of_ones_own_is_added() -> None:
-    rewards = Rewards.only(extra={"x": lambda match: match.robots["x"]})
-    match = Match(home=2, away=2, rewards=rewards, seed=1)
-    _, paid, _, _ = match.step(np.zeros((1, 4, 4)))
-    np.testing.assert_array_equal(paid, match.robots["x"])
-
-
 @pytest.mark.parametrize(
     ("returned", "message"),
     [
@@ -108,33 +101,6 @@ def test_a_reward_term_that_returns_nonsense_is_named(returned: Any, message: st
     match = Match(home=1, away=1, seed=1, rewards=Rewards(extra={"mine": lambda match: returned}))
     with pytest.raises(ValueError, match=re.escape(message)):
         match.step(np.zeros((1, 2, 4)))
-
-
-def test_an_observation_of_ones_own_is_used_everywhere() -> None:
-    class Clock:
-        names = ("clock",)
-
-        def __call__(self, match: Match) -> np.ndarray:
-            return np.repeat(match.matches["clock"][:, None, None], len(match.agents), axis=1)
-
-    match = Match(home=1, away=1, matches=2, observe=Clock(), seed=1, max_cycles=2, autoreset="same_step")
-    assert match.observations.shape == (2, 2, 1)
-    match.step(np.zeros((2, 2, 4)))
-    assert np.allclose(match.observations, 1 / 16)
-    match.step(np.zeros((2, 2, 4)))
-    assert np.allclose(match.final["observations"], 2 / 16) and not match.observations.any()
-
-
-@pytest.mark.parametrize("value", [np.nan, 5.0])
-def test_an_observation_outside_the_box_is_refused(value: float) -> None:
-    class Wild:
-        names = ("wild",)
-
-        def __call__(self, match: Match) -> float:
-            return value
-
-    with pytest.raises(ValueError, match=r"observe must return numbers in \[-1, 1\]"):
-        Match(home=1, away=1, seed=1, observe=Wild())
 
 
 def test_a_scene_of_ones_own_places_what_it_likes() -> None:

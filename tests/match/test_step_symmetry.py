@@ -13,7 +13,6 @@ from soccer_env.observations.truth import observe_slice
 from soccer_env.perception.ideal import believe_truth_slice
 from soccer_env.physics.drive import drive_robot, move_head
 from soccer_env.physics.engine.memory import BODY_ARBITERS, BODY_COS, BODY_OMEGA, BODY_SIN, BODY_VX, BODY_VY
-from soccer_env.physics.kicker import advance_kicker
 from soccer_env.physics.solver.records import STANCE
 from soccer_env.physics.solver.rounds import apply_ground_drive
 from soccer_env.referee.calls import judge_match
@@ -109,13 +108,6 @@ def steer_all(matches, robots, constants):
 
 
 @compiled
-def kick_all(matches, balls, robots, robot_events, constants):
-    for m in range(len(matches)):
-        for r in range(robots.shape[1]):
-            advance_kicker(robots[m], r, robot_events[m, r], constants[0], balls[m], matches[m].handedness)
-
-
-@compiled
 def judge_all(matches, balls, robots, events, robot_events, constants, placement):
     for m in range(len(matches)):
         clear_events(events[m], robot_events[m])
@@ -147,24 +139,6 @@ def test_driving_is_symmetric_over_many_gait_steps(name):
     assert (abs(one["vx"]).max() > 0.1) == before.league.body.legs
     assert not np.array_equal(after.robots["slip"], before.robots["slip"])
     assert speed(after.robots).max() > 0.3 * before.league.drive.forward
-
-
-@each_league
-def test_kicks_are_symmetric_and_stray_to_mirrored_sides(name):
-    match = mid_game(name, 200)
-    body, ball = match.league.body, match.league.ball
-    row, reach = np.arange(200) % (2 * SIZE), body.front + ball.radius + 0.004
-    robot, aside = match.robots[np.arange(200), row], np.linspace(-0.95, 0.95, 200) * match.league.kicker.half_width
-    cosine, sine = np.cos(robot["heading"]), np.sin(robot["heading"])
-    x, y = robot["x"] + reach * cosine - aside * sine, robot["y"] + reach * sine + aside * cosine
-    put_ball(match, x, y, 0.1, 0.2)
-
-    def stage(records, events, robot_events, constants):
-        robot_events["kick"] = 0
-        kick_all(records.matches, records.balls, records.robots, robot_events, constants)
-
-    after = in_both_worlds(match, stage, events=False)
-    assert (speed(after.balls) > 0.5).mean() > 0.1
 
 
 @pytest.mark.parametrize("placement", [0, 1])

@@ -35,7 +35,6 @@ class Mechanism(NamedTuple):
 
 
 def read() -> list[Mechanism]:
-    """Return all mechanisms."""
     return [Mechanism(**row) for row in rows("mechanisms.toml")["mutant"]]
 
 

@@ -38,7 +38,6 @@ FAST, SLOW = ("-m", "not slow"), ("-m", "slow")
 
 
 def arguments(words: list[str]) -> argparse.Namespace:
-    """Return what the command line asks for."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").partition("\n")[0])
     parser.add_argument("--count", type=int, default=20, help="mutants to draw that say something")
     parser.add_argument("--seed", type=int, default=1)

@@ -101,7 +101,6 @@ class Copy:
             shutil.rmtree(self.cache, ignore_errors=True)
 
     def run_tests(self, tests: list[str], *options: str) -> Ran:
-        """Run tests, up to the first that fails."""
         base = self.ground.folder / "tmp" / f"base-{self.where.name}"
         return self.run_python("-m", "pytest", *QUIET, f"--basetemp={base}", *options, *tests)
 

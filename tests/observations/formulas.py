@@ -24,7 +24,6 @@ def clipped(value: float) -> float:
 
 
 def point(record: Any, x: str = "x", y: str = "y") -> complex:
-    """Return a place or a velocity of a record."""
     return complex(record[x], record[y])
 
 

@@ -38,53 +38,6 @@ def test_a_ball_that_lies_for_ten_seconds_shows_half_of_the_scale() -> None:
     assert named(match)["ball_still"] == 0.0, "it has moved on"
 
 
-def test_a_push_a_hold_and_a_penalty_are_told_to_the_robot_itself_and_to_the_state() -> None:
-    match = Match(home=2, away=1, seed=1, observe="belief")
-    match.robots["pushing"][0, 1], match.robots["holding"][0, 0] = 1.0, 3.0
-    match.robots["penalty"][0, 2], match.robots["active"][0, 2] = 30.0, 0
-    match.batch.tell(0, 1)
-    match.batch.observe_anew(0, 1)
-    own = [[named(match, r)[f"own_{name}"] for name in ("pushing", "holding", "penalty")] for r in range(3)]
-    assert own == [[0.0, 0.75, 0.0], [0.5, 0.0, 0.0], [0.0, 0.0, 0.75]]
-    state = state_of(match)
-    assert (state["home_1_pushing"], state["home_0_holding"], state["away_0_penalty"]) == (0.5, 0.75, 0.75)
-    assert state["away_0_present"] == 0.0, "a robot that serves its penalty shows nothing else"
-
-
-def test_middle_size_charges_and_balls_kept_count_as_pushing_and_holding() -> None:
-    match = Match("middle-size-2006", home=1, away=1, seed=1, observe="belief")
-    match.robots["charging"][0, 0], match.robots["handling"][0, 1] = 1.0, 0.25
-    match.batch.observe_anew(0, 1)
-    assert named(match, 0)["own_pushing"] == 0.5 and named(match, 1)["own_holding"] == pytest.approx(0.2)
-
-
-def test_time_in_a_forbidden_area_is_told_to_the_robot_itself_and_to_the_state() -> None:
-    match = Match(home=3, away=1, seed=1, observe="belief")
-    match.robots["trespass"][0, :3] = 0.0, 1.0, -2.0  # below 0: it has that long to walk out
-    match.batch.observe_anew(0, 1)
-    assert [named(match, r)["own_trespass"] for r in range(3)] == [0.0, 0.5, 0.0]
-    assert [state_of(match)[f"home_{r}_trespass"] for r in range(3)] == [0.0, 0.5, 0.0]
-    other = Match("middle-size-2006", home=1, away=1, seed=1, observe="belief")
-    other.robots["area_clock"][0, 0], other.robots["crowd_clock"][0, 1] = 1.0, 9.0
-    other.batch.observe_anew(0, 1)
-    assert [named(other, r)["own_trespass"] for r in range(2)] == pytest.approx([0.5, 0.9])
-
-
-def test_a_card_and_the_ban_on_a_second_touch_are_told_to_the_robot_itself_and_to_the_state() -> None:
-    match = Match("middle-size-2006", home=1, away=2, seed=1, observe="belief")
-    set_phase(match, 0)
-    match.robots["yellow"][0] = 0, 1, 2  # two are a red card, and 90 s later the count begins anew
-    match.matches["taker"][0] = 2
-    match.batch.observe_anew(0, 1)
-    assert [(named(match, r)["own_card"], named(match, r)["own_barred"]) for r in range(3)] == [(0, 0), (1, 0), (0, 1)]
-    state = state_of(match)
-    assert (state["away_0_card"], state["away_0_barred"]) == (1.0, 0.0)
-    assert (state["away_1_card"], state["away_1_barred"], state["home_0_barred"]) == (0.0, 1.0, 0.0)
-    match.matches["taker"][0] = -1
-    match.batch.observe_anew(0, 1)
-    assert named(match, 2)["own_barred"] == 0.0, "another robot has touched the ball"
-
-
 def test_the_state_tells_since_when_each_robot_has_not_seen_the_ball() -> None:
     match = Match(home=1, away=1, seed=1, observe="belief")
     set_phase(match, 0)

@@ -34,8 +34,10 @@ def staged(league: str, home: int = 2, away: int = 4, **settings: Any) -> Match:
     robots["kick_clock"] = rng.choice([0.0, 0.3, -0.2], robots.shape)
     robots["gait_phase"] = rng.integers(0, max(drive.gait_steps, 1), robots.shape)
     robots["has_ball"], robots["fallen"] = rng.integers(0, 2, (2, *robots.shape))
-    for name in ("pushing", "keeper_pushing", "charging", "holding", "handling", "penalty"):
+    clocks = ("pushing", "keeper_pushing", "charging", "holding", "handling", "penalty", "area_clock", "crowd_clock")
+    for name in (*clocks, "trespass"):
         robots[name] = rng.uniform(0.0, 5.0, robots.shape) * rng.integers(0, 2, robots.shape)
+    robots["trespass"] -= 2.0  # below 0: it has that long to walk out
     robots["yellow"], game["taker"] = rng.integers(0, 3, robots.shape), rng.integers(-1, home + away, 4)
     game["still_clock"] = [0.0, 7.5, 12.0, 3.0]
     for name in ("vx", "vy", "roll_x", "roll_y"):

@@ -61,23 +61,6 @@ def test_without_commands_the_kinetic_energy_of_a_match_never_grows(name):
 
 
 @each_league
-def test_a_ball_that_has_come_back_from_a_board_gets_no_faster(name):
-    rng = np.random.default_rng(0)
-    match = stage(boarded(name), 250)
-    ball, pitch = match.league.ball, match.league.pitch
-    edge = pitch.width / 2 - ball.radius
-    place(match, ball=(0.3, edge - rng.uniform(0.2, 0.5, 250), 0.0, rng.uniform(0.3, 1.0, 250) * ball.top_speed))
-    came, fastest = np.zeros((2, 250))
-    for _ in range(40):
-        last = match.balls["vy"].copy()
-        match.step(stand(match))
-        came = np.where(came == 0.0, np.where(match.balls["vy"] < 0.0, last, 0.0), came)
-        fastest = np.maximum(fastest, -match.balls["vy"])
-    assert (came > 0.0).mean() > 0.8
-    assert (fastest[came > 0.0] < came[came > 0.0] * match.league.materials.ball_board.elasticity).all()
-
-
-@each_league
 def test_matches_left_alone_come_to_rest(name):
     match = let_loose(name, 20, seed=4)
     play(match, 40.0)

@@ -164,9 +164,3 @@ def test_ms51_paws_step_up_a_ramp_by_25_mm_and_trunk_and_ball_meet_the_upright_b
         space.step(1e-3)
         farthest = max(farthest, ball.position.y)
     assert farthest == pytest.approx(edge - league.ball.radius, abs=0.001)
-
-
-def test_no_ramp_lies_in_a_goal():
-    league = find_league(LEGGED)
-    inside = league.pitch.length / 2 + 0.5 * league.pitch.goal_depth
-    assert walked_up(league, inside, 0.0) == pytest.approx(league.pitch.goal_width / 2, abs=0.003)

@@ -186,7 +186,6 @@ DIAMOND = ((0.0, -1.0), (1.0, 0.0), (0.0, 1.0), (-1.0, 0.0))
 
 
 def shape(*corners: tuple[float, float], radius: float = 0.0, x: float = 0.0, y: float = 0.0) -> Shape:
-    """Return a shape, moved to (x, y)."""
     return Shape(np.array(corners) + (x, y), radius)
 
 

@@ -7,7 +7,6 @@ from soccer_env.leagues import find_league
 from soccer_env.types import MAX_TEAM, Phase
 from tests.scenes.leagues import LEGGED, MIDDLE, each_league
 from tests.scenes.staging import deepest_overlaps, distance, scatter, set_phase, stage, stand
-from tests.scenes.symmetry import Records, assert_same, mirrored
 
 
 def dropped(match):
@@ -133,14 +132,6 @@ def test_after_a_drop_nobody_stands_in_anybody_nor_in_the_ring(name, place, size
     deep = attack * robots["x"] < -pitch.length / 2 + pitch.penalty_depth
     at_home = deep & (abs(robots["y"]) < pitch.penalty_width / 2) & (robots["keeper"] == 1)
     assert (far >= rules.separation)[~at_home].all()
-
-
-def test_a_mirrored_drop_is_the_mirror_image():
-    one, other = (stage(LEGGED, 40, home=3, away=3) for _ in range(2))
-    crowd(one, "corner", np.random.default_rng(5), spread=1.5)
-    mirrored(Records.of(one)).put_into(other)
-    dropped(one), dropped(other)
-    assert_same(mirrored(Records.of(one)).robots, other.robots, 1e-9)
 
 
 def crowd(match, place, rng, spread, pairs=False):

@@ -60,18 +60,6 @@ def said(flags: str, cast: Cast, shot: Snapshot, robot: str = "home_1") -> list[
 
 
 @pytest.mark.parametrize("league", TEAMS)
-def test_a_note_is_read_as_what_the_robot_believes(league: str) -> None:
-    match = played(league)[0]
-    cast, shot = looked_at(match)
-    for r in range(4):
-        thought, belief = cast.thought(shot, r), match.beliefs[0, r]
-        assert thought is not None and thought.knows
-        sign = 1.0 if r < 2 else -1.0
-        assert thought.pose[:2] == pytest.approx((sign * belief["own"]["x"], sign * belief["own"]["y"]), abs=1e-3)
-        assert len(thought.players) == match.tracks[0, r]["present"].sum()
-
-
-@pytest.mark.parametrize("league", TEAMS)
 def test_a_replay_draws_what_the_match_drew(league: str, tmp_path: Path) -> None:
     match, replay = played(league)
     reel = ReplaySnapshots(Replay.read(replay.write(tmp_path / "a.replay")))

@@ -37,7 +37,6 @@ def prose(source: str) -> str:
 
 @cache
 def text_of(name: str) -> str:
-    """Return what a file says to its readers."""
     text = (ROOT / name).read_text(encoding="utf-8")
     return prose(text) if name.endswith(".py") else text
 

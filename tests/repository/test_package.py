@@ -147,12 +147,6 @@ def test_wheel_works_beside_files_of_the_same_names(wheel: Path, tmp_path: Path)
     ]
 
 
-def test_this_installation_works_beside_files_of_the_same_names(tmp_path: Path) -> None:
-    research = decoys(tmp_path / "research")
-    found = run(sys.executable, "-c", PROGRAM, cwd=research).split()
-    assert not [file for file in found if Path(file).is_relative_to(research)]
-
-
 def test_a_script_in_the_root_of_a_checkout_works_without_an_editable_install(tmp_path: Path) -> None:
     for folder in FOLDERS.values():
         (tmp_path / folder).symlink_to(ROOT / folder)

@@ -32,12 +32,10 @@ class Mind:
 
     @property
     def belief(self) -> np.void:
-        """Return the beliefs."""
         return self.beliefs[0, 0]  # type: ignore[no-any-return]
 
     @property
     def memory(self) -> np.void:
-        """Return the memory."""
         return self._memory[0, 0]  # type: ignore[no-any-return]
 
     def see_ball(self, distance: float, bearing: float = 0.0, radial: float = 0.0, held: int = 0) -> None:

@@ -38,7 +38,6 @@ class Records:
 
     @classmethod
     def of(cls, match: Any) -> Records:
-        """Copy the records of a Match."""
         return cls(match.matches.copy(), match.balls.copy(), match.robots.copy())
 
     def put_into(self, match: Any) -> None:
@@ -147,7 +146,6 @@ def swapped_rows(array: np.ndarray) -> np.ndarray:
 
 
 def opposite(angle: np.ndarray) -> np.ndarray:
-    """Return the opposite direction, in (-pi, pi]."""
     return np.where(angle > 0.0, angle - np.pi, angle + np.pi)
 
 
@@ -182,7 +180,6 @@ def mirrored_events(events: np.ndarray) -> np.ndarray:
 
 
 def mirror(match: Any) -> None:
-    """Mirror a Match left-right."""
     mirrored(Records.of(match)).put_into(match)
 
 

@@ -36,7 +36,6 @@ class Steps:
         put_ball(self.match, self.side * x, y, self.side * vx, vy)
 
     def set(self, row: int, **fields: Any) -> None:
-        """Set fields of a robot."""
         for name, value in fields.items():
             self.match.robots[name][0, row] = value
 

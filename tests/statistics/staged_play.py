@@ -54,7 +54,6 @@ class Scene:
         self.play(round(seconds * self.match.league.control_rate))
 
     def play(self, steps: int, idle: bool = False) -> None:
-        """Step with the actions that are set."""
         for _ in range(steps):
             self.match.step(stand(self.match) if idle else self.actions)
 

@@ -7,8 +7,18 @@ from soccer_env.statistics.records import GoalKind
 from soccer_env.types import AWAY, HOME, Phase
 from tests.scenes.fouls import NOSES
 from tests.scenes.staging import LEGGED, MIDDLE
-from tests.statistics import counted_steps
-from tests.statistics.counted_steps import HALF, KICKER, MATE, SECOND, THEIR_KEEPER, THEIR_PLAYER, Steps, only, shoot
+from tests.statistics.counted_steps import (
+    HALF,
+    KEEPER,
+    KICKER,
+    MATE,
+    SECOND,
+    THEIR_KEEPER,
+    THEIR_PLAYER,
+    Steps,
+    only,
+    shoot,
+)
 
 
 def face(steps: Steps, row: int, other: int) -> None:
@@ -140,7 +150,7 @@ def test_goals_within_ten_seconds_of_a_restart_say_which(steps, ago, counted) ->
     (1.0, 160, 1, False), (1.0, 161, 0, False), (0.94, 1, 0, False), (1.0, 1, 0, True),
 ])  # fmt: skip
 def test_goals_within_ten_seconds_of_a_goalkeeper_in_contact_with_opponents_for_one_say_so(locked, ago, counted, mate):
-    for keeper, player, team in ((THEIR_KEEPER, MATE, HOME), (counted_steps.KEEPER, THEIR_PLAYER, AWAY)):
+    for keeper, player, team in ((THEIR_KEEPER, MATE, HOME), (KEEPER, THEIR_PLAYER, AWAY)):
         steps = Steps()
         face(steps, keeper, keeper + 1 if mate else player)
         steps.set(keeper, locked=locked)
@@ -194,18 +204,6 @@ def test_a_push_is_a_shot_when_the_ball_comes_free_as_fast_as_by_a_kick(steps, s
     steps.count(touch=KICKER)
     steps.count(steps=free)
     assert steps.of("shots") == [shots if free >= 4 else 0, 0]
-
-
-@pytest.mark.parametrize(("y", "touches", "saves"), [
-    (0.0, [THEIR_KEEPER], 1), (0.0, [THEIR_PLAYER], 0), (0.0, [THEIR_PLAYER, THEIR_KEEPER], 0),
-    (0.0, [counted_steps.KEEPER], 0), (0.4, [THEIR_KEEPER], 0), (0.0, [THEIR_KEEPER, THEIR_PLAYER], 1), (0.0, [], 0),
-])  # fmt: skip
-def test_a_shot_on_target_is_saved_if_the_goalkeeper_touches_it_first(steps, y, touches, saves) -> None:
-    shoot(steps, y=y)
-    for row in touches:
-        steps.count(touch=row)
-    steps.count(steps=6 * SECOND)
-    assert steps.of("saves") == [0, saves]
 
 
 def test_a_shot_that_the_goalkeeper_touches_and_that_goes_in_is_not_saved(steps: Steps) -> None:

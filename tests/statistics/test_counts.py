@@ -15,7 +15,6 @@ from tests.statistics.recorded_play import chasers, held, kicks, recording_of, r
 
 
 def driving(name, **settings):
-    """Return matches of chasers that drive to their places."""
     return chasers(name, placement="drive", **settings)
 
 

@@ -16,7 +16,6 @@ APART = {LEGGED: (0.25, 0.5), MIDDLE: (0.9, 2.0)}  # [m] from where the ball is 
 
 
 def passes(scene, opponents=False):
-    """Return passes tried, passes completed and interceptions."""
     return [scene.of(name, opponents) for name in ("passes_tried", "passes", "interceptions")]
 
 

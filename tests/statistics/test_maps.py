@@ -19,7 +19,6 @@ ROWS = (3, 3)
 
 
 def shots(steps: Steps, team: int = HOME) -> list[Any]:
-    """Return the shots of a team."""
     return maps_of_team(steps.tally[0], team, ROWS)["shots_for"]
 
 
@@ -42,6 +41,7 @@ def test_who_touches_a_shot_first_saves_or_blocks_it(steps: Steps, y: float, tou
         steps.count(touch=row)
     steps.count(steps=6 * SECOND)
     assert [shot[2] for shot in shots(steps)] == [outcome]
+    assert steps.of("saves") == [0, int(outcome == "saved")]
 
 
 @pytest.mark.parametrize("touches", [[], [THEIR_KEEPER], [THEIR_PLAYER]])

@@ -15,8 +15,6 @@ from soccer_env.train.provenance import UNKNOWN, team_hash
 
 
 class Own:
-    """A team in Python that keeps something."""
-
     name, memory_dtype = "own", np.dtype([])
 
     def __init__(self, **kept: Any) -> None:

@@ -1,14 +1,14 @@
 """Path following stays within the base's limits and keeps off others; dribbling stays inside what the guide bears."""
 
-from math import atan2, cos, hypot, pi, sin
+from math import atan2, cos, hypot, sin
 from typing import Any
 
 import numpy as np
 import pytest
 
 from soccer_env import Match
-from soccer_env.baselines.heinemann_2006.dribbling import LEAST, dribble, grip_speed, grip_turn
-from soccer_env.baselines.heinemann_2006.driving import bend_angle, bend_speed, drive_to, note_crowd, turn_limit
+from soccer_env.baselines.heinemann_2006.dribbling import dribble
+from soccer_env.baselines.heinemann_2006.driving import drive_to, note_crowd
 from soccer_env.baselines.heinemann_2006.memory import MEMORY, SCRATCH
 from soccer_env.baselines.heinemann_2006.settings import HeinemannSettings, settings_records
 from soccer_env.leagues import find_league
@@ -139,14 +139,6 @@ def test_a_way_past_a_goalkeeper_leads_round_it_in_the_field_and_never_through_t
     assert plan["ended"] == 0 and (end * path["x"][before_goal]).max() < 6.0 - REACH
 
 
-def test_bends_and_turns_are_as_fast_as_their_share_of_the_acceleration() -> None:
-    play = settings_records(HeinemannSettings(bending=0.5, turning=0.25))[OMNI]
-    assert bend_angle(1.0, 0.0, 0.0, 2.0) == pytest.approx(pi / 2)
-    assert bend_angle(1.0, 0.0, 0.0, 0.0) == 0.0
-    assert bend_speed(K, play, 0.5, 1.0) == pytest.approx((0.5 * ACCELERATION * 2.0) ** 0.5)  # r = 1 / 0.5
-    assert turn_limit(K, play, 2.0) == pytest.approx(0.5)
-
-
 def test_mh25_an_obstacle_is_no_faster_than_robots_are() -> None:
     scratch = np.zeros(1, SCRATCH)[0]
     sight = scratch["sight"]
@@ -163,15 +155,6 @@ def test_mh25_an_obstacle_is_no_faster_than_robots_are() -> None:
 
 
 MATCHES, HOLDING, REACH = 20, 0.29, 0.287  # [m] from the robot's middle to a ball in its guide, and to its edge
-
-
-@pytest.mark.parametrize("turn", [0.1, 0.3, 1.0])
-def test_speed_times_turn_is_the_grip(turn: float) -> None:
-    play = settings_records(HeinemannSettings(dribble_grip=0.35, dribble_turn=4.0))[OMNI]
-    speed = grip_speed(play, turn)
-    assert speed * turn == pytest.approx(0.35) and grip_speed(play, -turn) == speed
-    assert grip_turn(play, speed) == pytest.approx(turn)
-    assert grip_speed(play, 100.0) == LEAST and grip_turn(play, 0.0) == 4.0
 
 
 def asked(speed: float, aside: float) -> tuple[float, float]:

@@ -22,7 +22,6 @@ STEP = 0.02  # [s]
 
 
 def word(phase: Phase, ours: float, placing: int, clock: float) -> np.void:
-    """Return a call of the referee box."""
     known = np.zeros(1, SITUATION)[0]
     known["phase"], known["ours"], known["placing"], known["phase_clock"] = int(phase), ours, placing, clock
     return known

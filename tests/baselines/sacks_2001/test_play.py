@@ -26,7 +26,6 @@ from tests.scenes.sacks_beliefs import MEMORY_LATERAL, draw_beliefs, draw_tracks
 from tests.scenes.staging import LEGGED, league_without_calls, put_ball, send_off, set_phase
 from tests.scenes.symmetry import mirrored_actions, mirrored_beliefs, mirrored_tracks
 
-TEAMS = ("sacks-2001", "sacks-2001-tuned", "sacks-2001-future")
 BUSY = (APPROACH, BACK, SIDESTEP, ROTATE, ORBIT, DRIBBLE, SHOOT, PASS)  # supporters and goalkeepers may stand
 STANDS, LONG = 0.05, 30.0  # [m] within which a robot stands; [s] for which no busy one may
 PAUSE = 3.0  # [s] of other things that end a standstill
@@ -35,12 +34,6 @@ PAUSE = 3.0  # [s] of other things that end a standstill
 def numbers(match: Match) -> np.ndarray:
     """Return the commands of all robots (M, R, 7)."""
     return np.stack([match.robots["command"][name] for name in COMMAND.names or ()], axis=-1)
-
-
-def test_other_leagues_are_refused() -> None:
-    with pytest.raises(ValueError, match="'sacks-2001' is for legged leagues, 'middle-size-2006' is middle-size"):
-        Match("middle-size-2006", controllers={"home": "sacks-2001"}, seed=1)
-    Match("legged-2001-upright", controllers={"home": "sacks-2001", "away": "still"}, seed=1).step()
 
 
 @pytest.mark.parametrize(("changes", "message"), [

@@ -68,7 +68,6 @@ class Watcher:
 
     @property
     def ball(self) -> np.void:
-        """The believed ball."""
         return self.beliefs[0]["ball"]
 
     @property
@@ -107,7 +106,6 @@ class Watcher:
         return self.look(self.blob(x, y, share), **frame)
 
     def miss(self, **frame: Any) -> np.void:
-        """Believe a frame without a ball."""
         return self.look(**frame)
 
     def blob(self, x: float, y: float, share: tuple[float, float] = (1.0, 1.0)) -> tuple[int, ...]:

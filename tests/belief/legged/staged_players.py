@@ -64,12 +64,10 @@ class Onlooker:
 
     @property
     def teammates(self) -> np.ndarray:
-        """The slots of team-mates."""
         return self.tracks[0, : self.mates]
 
     @property
     def opponents(self) -> np.ndarray:
-        """The slots of opponents."""
         return self.tracks[0, self.mates :]
 
     def percept(self, opponents: list[Blob], teammates: list[Blob], infrared: float = 0.0, **body: float) -> np.ndarray:

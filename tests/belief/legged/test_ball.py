@@ -10,7 +10,6 @@ from soccer_env.belief.odometry import move_point
 from soccer_env.leagues.legged_sensors import LeggedMemory
 from soccer_env.records.percepts import LEGGED_PERCEPT, POSE_TOLD
 from tests.belief.legged.staged_ball import LEAGUE, Watcher
-from tests.scenes.symmetry import assert_same, mirrored_beliefs, mirrored_percepts
 
 NUMBERS = [name for name in ("distance", "bearing", "filtered_distance", "filtered_bearing", "x", "y", "vx", "vy",
                              "radial", "angular", "confidence")]  # fmt: skip
@@ -199,15 +198,6 @@ def draw_stream(frames: int, seed: int) -> Any:
             wide, tall = rng.choice([0, 1, 2, 8, 60, 300], 2)
             blobs[i] = (left, left - wide, high, high - tall, rng.integers(0, 300))
         yield percepts
-
-
-@pytest.mark.parametrize("settings", [{}, {"ball_range": "infrared", "horizon": False}, {"odometry": "rotation"}])
-def test_mirrored_percepts_give_the_mirrored_belief_bit_for_bit(settings: dict[str, Any]) -> None:
-    robot, image = Watcher.coarse(**settings), Watcher.coarse(**settings)
-    for percepts in draw_stream(600, 3):
-        robot.believe(percepts)
-        image.believe(mirrored_percepts(percepts[None])[0])
-        assert_same(mirrored_beliefs(robot.beliefs), image.beliefs, 0.0)
 
 
 def test_no_stream_of_percepts_makes_a_number_that_is_none() -> None:

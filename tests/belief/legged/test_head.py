@@ -47,7 +47,6 @@ class Head:
             self.believe(*ball, age=age, confidence=confidence)
 
     def believe(self, distance: float, bearing: float, age: float = 0.0, confidence: float = 100.0) -> None:
-        """Set the belief about the ball."""
         for name, value in (("distance", distance), ("bearing", bearing), ("age", age), ("confidence", confidence)):
             self.beliefs["ball"][name] = value
 

@@ -19,7 +19,6 @@ CUBIC = {"distance_power": 3.0, "angle_power": 0.0}
 
 
 def settings(**changes: Any) -> np.void:
-    """Return the record of the memory's settings."""
     return LEAGUE.memory.changed(changes).record()[0]
 
 

@@ -237,21 +237,6 @@ def test_a_lone_robot_takes_neither_ball_nor_boards_nor_carpet_for_somebody() ->
     assert read > 1000
 
 
-def test_an_obstacle_is_saved_and_one_that_cannot_be_is_refused() -> None:
-    match, _, _, _ = come_near()
-    assert (match.beliefs["obstacle"]["distance"] > 0.0).any()
-    saved, kept = match.save(), match.beliefs["obstacle"].copy()
-    match.beliefs["obstacle"]["distance"] = 0.5
-    match.load(saved)
-    assert match.beliefs["obstacle"].tobytes() == kept.tobytes()
-    for name, value in (("distance", -1.0), ("distance", np.nan), ("bearing", inf)):
-        match.beliefs["obstacle"][name][0, 0] = value
-        damaged = match.save()
-        match.load(saved)
-        with pytest.raises(ValueError, match=f"obstacle.{name} of beliefs"):
-            match.load(damaged)
-
-
 def test_nobody_without_a_ranger_and_nobody_who_knows_the_truth_has_an_obstacle() -> None:
     for league, senses in ((LEGGED, "ideal"), ("middle-size-2006", "sensors"), ("middle-size-2006", "ideal")):
         match = Match(league, home=2, away=2, seed=1, observe="belief", senses=senses)

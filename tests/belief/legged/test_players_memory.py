@@ -1,7 +1,6 @@
 """What a legged robot remembers of other players: what its own steps, time and other sightings do to it."""
 
 from math import pi
-from typing import Any
 
 import numpy as np
 import pytest
@@ -9,7 +8,6 @@ import pytest
 from soccer_env.belief.odometry import move_point
 from soccer_env.records.beliefs import TRACK
 from tests.belief.legged.staged_players import AHEAD, LEFT, RIGHT, Onlooker, full_blob, near, places
-from tests.scenes.symmetry import assert_same, mirrored_percepts, mirrored_tracks
 
 # What happens to what is remembered
 
@@ -132,22 +130,3 @@ def test_blobs_of_no_size_or_of_the_whole_picture_break_nothing(mode: str, slots
 def finite(robot: Onlooker) -> bool:
     """Tell whether every number of the tracks is finite."""
     return all(np.isfinite(robot.tracks[name]).all() for name in TRACK.names or ())
-
-
-@pytest.mark.parametrize("changes", [{}, {"player_blob": "combined", "grouping": 1.0}, {"slots": "nearest"}])
-def test_a_mirrored_robot_believes_in_mirrored_players(changes: dict[str, Any]) -> None:
-    rng = np.random.default_rng(9)
-    robot, image = Onlooker(**changes), Onlooker(**changes)
-    believed = 0
-    for frame in range(300):
-        robot.pan, robot.tilt = rng.uniform(-1.5, 1.5), rng.uniform(-1.0, 0.5)
-        blobs = [[full_blob(*rng.uniform(-30, 30, 2), *rng.integers(1, 12, 2)) for _ in range(rng.integers(3))]
-                 for _ in range(2)]  # fmt: skip
-        forward, left, turn = rng.uniform(-0.02, 0.02, 3)
-        body = {"forward": forward, "left": left, "turn": turn, "pose": 2 if frame % 100 == 99 else 0}
-        percepts = robot.percept(*blobs, infrared=rng.uniform(0.0, 0.5), **body)
-        robot.believe(percepts)
-        image.believe(mirrored_percepts(percepts))
-        assert_same(mirrored_tracks(robot.tracks), image.tracks, 0.0)
-        believed += robot.tracks["present"].sum()
-    assert believed > 500

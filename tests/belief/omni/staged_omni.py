@@ -105,5 +105,4 @@ class Radio(Talkers):
 
 
 def turned(x: Any, y: Any, angle: float) -> np.ndarray:
-    """Return a vector turned by an angle."""
     return np.array([cos(angle) * x - sin(angle) * y, sin(angle) * x + cos(angle) * y])

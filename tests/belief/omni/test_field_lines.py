@@ -45,7 +45,6 @@ def look(percepts: np.ndarray, settings: np.ndarray = W, **own: float) -> tuple[
 
 
 def cost_at(percepts: np.ndarray, x: float, y: float, heading: float) -> float:
-    """Return what a pose costs."""
     view, _ = look(percepts)
     particles, noise = np.zeros(1, PARTICLE), np.zeros(NOISE_STREAMS, np.uint64)
     particles["x"], particles["y"], particles["heading"] = x, y, heading

@@ -1,10 +1,6 @@
 """What the vision makes of a picture: four blobs of each colour, noise, misses, mergers, and what is no ball."""
 
-import os
-import subprocess
-import sys
 from math import pi
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,10 +9,6 @@ from soccer_env.perception.legged.sketch import BALL, OPPONENTS, PATCHES
 from tests.perception.legged.staged_picture import Scene
 
 COLOURS = ("ball", "teammates", "opponents", "own_goal", "opponent_goal")
-NOISY = {
-    "dither": 0.6, "scale_error": 0.1, "ball_miss": 0.2, "player_miss": 0.2, "sticker_miss": 0.2, "landmark_miss": 0.2,
-    "patches": 6.0, "red_as_orange": 0.4,
-}  # fmt: skip
 
 
 def arc(robots: int, away: float = 1.2, **sensors: float) -> Scene:
@@ -177,34 +169,3 @@ def test_stickers_show_orange_spots_in_their_share_of_frames() -> None:
     for spot in spots[:50]:
         assert spot["left"][0] <= box["left"].max() + 1.0 and spot["right"][0] >= box["right"].min() - 1.0
         assert spot["high"][0] <= box["high"].max() + 1.0 and spot["low"][0] >= box["low"].min() - 1.0
-
-
-def random_play(scenes: int, robots: int, seed: int) -> Scene:
-    """Return scenes with everybody somewhere and every kind of noise."""
-    rng = np.random.default_rng(seed)
-    scene = Scene(scenes, robots, **NOISY)
-    half = robots // 2
-    scene.robots["team"] = np.arange(robots) >= half
-    scene.robots["number"] = np.arange(robots) % half
-    for r in range(robots):
-        place = rng.uniform(-1.4, 1.4, scenes), rng.uniform(-0.9, 0.9, scenes), rng.uniform(-pi, pi, scenes)
-        scene.put(r, *place, rng.uniform(-1.2, 1.2, scenes), rng.uniform(-0.8, 0.2, scenes))
-    scene.put_ball(rng.uniform(-1.4, 1.4, scenes), rng.uniform(-0.9, 0.9, scenes))
-    return scene
-
-
-SCRIPT = """
-import sys
-sys.path.insert(0, {root!r})
-from tests.perception.legged.test_camera_blobs import random_play
-print(random_play(2, 4, seed=8).look().tobytes().hex())
-"""
-
-
-@pytest.mark.slow
-def test_compiled_code_and_plain_python_take_the_same_pictures() -> None:
-    script, outputs = SCRIPT.format(root=str(Path(__file__).parents[3])), []
-    for disabled in ("0", "1"):
-        environment = {**os.environ, "NUMBA_DISABLE_JIT": disabled, "SOCCER_ENV_QUIET": "1"}
-        outputs.append(subprocess.check_output([sys.executable, "-c", script], env=environment))
-    assert outputs[0] == outputs[1]

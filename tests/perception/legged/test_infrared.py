@@ -5,10 +5,8 @@ from math import asin, cos, inf, pi, sin, sqrt
 import numpy as np
 import pytest
 
-from soccer_env.leagues.constants import constants_of
 from soccer_env.perception.legged.infrared import beam_direction
-from tests.perception.legged.staged_beam import LEAGUE, BeamScene, aim_at, measure_all, trace_all
-from tests.scenes.symmetry import Records
+from tests.perception.legged.staged_beam import LEAGUE, BeamScene, aim_at, trace_all
 
 RADIUS = LEAGUE.ball.radius
 
@@ -179,11 +177,3 @@ def test_who_is_out_measures_nothing_nothing_far_reads_as_near_and_all_in_one_pl
     place = BeamScene(2, robots=6)
     place.robots["x"], place.balls["x"], place.robots["tilt"][1] = 0.0, 0.0, -1.4
     assert np.isfinite(place.readings()).all()
-
-
-def read(records: Records) -> np.ndarray:
-    """Return what the rangers read."""
-    found = np.zeros(records.robots.shape)
-    sensors = LEAGUE.sensors.record()
-    measure_all(records.matches, records.balls, records.robots, constants_of(LEAGUE), sensors, found)
-    return found

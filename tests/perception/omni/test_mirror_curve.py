@@ -100,7 +100,6 @@ def test_an_eccentricity_of_one_is_the_paraboloid() -> None:
         assert image_radius(mirror, distance) == pytest.approx(mirror[0] * np.tan(half))
 
 
-LEAGUE = find_league(MIDDLE)
 CHANGING = {"light_drift": 0.5, **SURE, **NOW}
 
 

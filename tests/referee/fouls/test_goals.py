@@ -3,10 +3,9 @@
 import numpy as np
 import pytest
 
-from soccer_env import Match
 from soccer_env.types import Phase
 from tests.scenes.fouls import POCKET, court, fouls
-from tests.scenes.staging import LEGGED, place, put, put_ball, stand
+from tests.scenes.staging import place, put, put_ball, stand
 from tests.scenes.symmetry import HALF_TURN, Records, assert_same_records, mirrored, turned
 
 RULES = "keeper_pushing=True,holding=True,kick_off_shot=True"
@@ -113,33 +112,6 @@ def test_the_kicking_team_has_to_touch_the_ball_when_all_of_it_has_left_the_circ
     place(match, robots={1: ((away - POCKET) * x, (away - POCKET) * y, way)})
     match.step(stand(match))
     assert match.robot_events["touch"][0, 1] == 1 and match.matches["kick_off_shot"][0] == owner
-
-
-def chasers(**settings):
-    """Return matches of two teams of chasers under all rules."""
-    controllers = {"home": "chaser", "away": "chaser"}
-    return Match(LEGGED, matches=4, seed=4, rules="league", senses="ideal", controllers=controllers, **settings)
-
-
-def test_both_backends_agree_under_all_rules():
-    match, other = (chasers(backend=backend, home=4, away=4) for backend in ("c", "batch"))
-    whistles = 0
-    for _ in range(120 * match.league.control_rate):
-        match.step()
-        other.step()
-        whistles += int((match.robot_events["foul"] > 0).sum())
-        assert np.array_equal(match.robot_events["foul"], other.robot_events["foul"])
-    assert whistles > 5 and match.state_hash() == other.state_hash()
-
-
-@pytest.mark.parametrize("field", ["pushing", "keeper_pushing", "holding", "trespass", "beyond", "penalty"])
-def test_what_the_referee_counts_is_saved(field):
-    match = chasers()
-    match.robots[field][:, 1] = 0.5
-    saved = match.save()
-    match.robots[field][:, 1] = 0.0
-    match.load(saved)
-    assert (match.robots[field][:, 1] == 0.5).all()
 
 
 def whistled():

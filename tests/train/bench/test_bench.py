@@ -124,8 +124,6 @@ def test_the_team_of_2006_is_timed_as_it_decides_and_plays() -> None:
     assert load.sample(2) > 0.0
 
 
-ROOT = Path(__file__).parents[3]
-
 # A worker whose times are drawn, with the noise of a busy machine; what they are follows from files of the checkout.
 PRETENDED = """
 import random, runpy, sys

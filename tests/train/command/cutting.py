@@ -113,8 +113,6 @@ def files(folder: Path) -> list[Any]:
 
 
 class Cutter:
-    """Cuts one command again and again."""
-
     def __init__(self, words: list[str], folder: Path, seed: int) -> None:
         self.words, self.folder, self.draw = words, folder, random.Random(seed)
         begun = time.monotonic()

@@ -59,7 +59,6 @@ def weights(path: Path) -> dict[str, bytes]:
 
 
 def outcome(folder: Path) -> dict[str, Any]:
-    """Return everything that a run came to, without times."""
     state = read_checkpoint(folder)
     assert state is not None
     return {

@@ -80,13 +80,6 @@ def test_the_policy_before_training_has_the_shape_of_the_one_after(kind: str) ->
     assert (decide(blank, episodes(5, 1)[:, 0]) == 0.0).all()
 
 
-def test_the_actors_parameters_are_all_but_the_critics() -> None:
-    made = network()
-    own = {id(parameter) for parameter in made.actor_parameters()}
-    rest = [name for name, parameter in made.named_parameters() if id(parameter) not in own]
-    assert rest and all("critic_net" in name for name in rest)
-
-
 def learner(folder: Path, **changes: Any) -> Learner:
     settings = tiny_settings(folder, **REMEMBERING | changes)
     return Learner(settings, make_matches(settings, make_curriculum(settings), settings.sizes))
@@ -176,7 +169,7 @@ def test_ppo_learns_to_remember_and_a_plain_actor_does_not(units: int, least: fl
     settings = TrainSettings(memory=units, batch=480, epochs=6, target_kl=0.02)
     made, matches = network(units, 2, noise=0.5), BallSeenOnce()
     optimizer, start = make_optimizer(made, 0.003), Start(matches.seen(), made.no_states(matches.num_envs))
-    for _ in range(40):
+    for _ in range(20):
         rollout, start = collect(made, matches, start, 30, 0.99, 0.95, lambda: None)  # type: ignore[arg-type]
         update(made, optimizer, rollout, settings, actor=True)
     assert least < np.mean(matches.paid[-30:]) <= most, "with noise; by chance 0, at best 1"

@@ -21,7 +21,6 @@ from soccer_env.train.ppo.updating.update import minibatch_size
 from soccer_env.train.written_settings import split_names
 from tests.train.ppo.staged_training import tiny_settings
 
-ROOT = Path(__file__).parents[3]
 SHARES = ("learning_rate", "target_kl", "stage_share")
 ABOVE_ZERO = ("minutes", "noise", "evaluate_minutes", "discount_half_life", "advantage_half_life")
 COUNTS = ("threads", *(name for name, bounds in BOUNDS.items() if bounds.low == 1.0))

@@ -11,9 +11,7 @@ pytest.importorskip("stable_baselines3")
 
 import stable_baselines3 as sb3
 
-from soccer_env.train.evaluate import EvaluateSettings, evaluate
 from soccer_env.train.ppo.vec_env import SoccerVecEnv
-from tests.train.ppo.staged_training import tiny_settings, train_plainly
 
 AGAINST = ["--away", "still", "--players", "1", "--matches", "2", "--minutes", "0.05", "--seed", "1"]
 
@@ -67,32 +65,3 @@ def test_rows_of_beliefs_are_evaluated_as_the_error_says(tmp_path: Path, evaluat
     assert "takes 100 inputs, 'truth' of 'legged-2001' has 73: give observe=belief" in said
     evaluated(f"{path}:observe=belief,action_repeat=8,at_once=False")
     assert "with state=True?" in evaluated(saved(tmp_path, state=True), code=2)
-
-
-def test_a_policy_that_was_trained_for_a_moment_is_evaluated_against_the_team_of_2006(tmp_path: Path) -> None:
-    settings = tiny_settings(
-        tmp_path / "run", league="middle-size-2006", players="1v1", steps=64, minutes=0.16, evaluate_minutes=0.16,
-        evaluate_every=64, opponents="chaser@0.5",
-    )  # fmt: skip
-    train_plainly(settings)
-    result = evaluate(
-        EvaluateSettings(
-            league="middle-size-2006", home=str(tmp_path / "run" / "last.safetensors"), away="heinemann-2006",
-            matches=2, minutes=0.1, players=2, seed=1, pose="percept",  # as it was trained
-        )
-    )  # fmt: skip
-    assert len(result.lines) == 2 and {line.goals_for >= 0 for line in result.lines} == {True}
-    assert result.conditions.away == "heinemann-2006" and result.conditions.league == "middle-size-2006"
-
-
-def test_a_policy_that_was_trained_for_ten_minutes_is_evaluated_against_the_team_of_2006() -> None:
-    """The file is `best.safetensors` of `soccer train --league middle-size-2006 --players 3v3 --seed 1`."""
-    policy = Path(__file__).with_name("ten-minutes-middle-size-2006.safetensors")
-    result = evaluate(
-        EvaluateSettings(
-            league="middle-size-2006", home=str(policy), away="heinemann-2006", matches=4, minutes=1.0, players=3,
-            seed=3, pose="particles",
-        )
-    )  # fmt: skip
-    assert len(result.lines) == 4
-    assert result.goals_against >= result.goals_for, "in four minutes it loses by half a goal"

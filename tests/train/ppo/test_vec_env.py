@@ -10,7 +10,6 @@ from soccer_env import Match, Rewards
 from soccer_env.agents.learned import first_decision_step
 from soccer_env.random_numbers import seeds_for
 from soccer_env.rewards import PRESETS
-from soccer_env.teams import Lineup, make_team
 from tests.train.evaluate.staged_rows import MIXED, assert_same_play, draw, play, rows
 
 pytest.importorskip("stable_baselines3")
@@ -75,11 +74,6 @@ def test_actions_are_clipped_and_nonsense_is_refused() -> None:
         wild.step(np.ones((7, 4)))
 
 
-def test_each_team_size_needs_a_match() -> None:
-    with pytest.raises(ValueError, match="matches must be at least one for each of 2 team sizes, got 1"):
-        rows(players=MIXED, matches=1)
-
-
 def by_hand(match: Match, actions: np.ndarray, repeat: int) -> tuple[np.ndarray, np.ndarray, dict[int, np.ndarray]]:
     """Play one step of 2 against 2 with a Match alone; return rewards and ends (M,), and last observations by match."""
     gained, over, last = np.zeros((match.count, 2), np.float32), np.zeros(match.count, bool), dict[int, np.ndarray]()
@@ -115,17 +109,6 @@ def test_transitions_are_those_of_a_match(repeat: int) -> None:
             assert all((infos[2 * m + r]["terminal_observation"] == rows_of_it[r]).all() for r in range(2))
         ends += len(last)
     assert ends >= 8 and match.state_hash() == env.matches[0].state_hash()
-
-
-def test_a_repeat_pays_what_its_control_steps_pay() -> None:
-    once, eight = rows(action_repeat=1, gamma=1.0), rows(action_repeat=8, gamma=1.0)
-    once.reset(), eight.reset()
-    for _ in range(first_decision_step(once.matches[0].league.delay_steps, 8)):
-        once.step(np.zeros((8, 4)))
-    actions = draw(once, np.random.default_rng(0))
-    paid = sum(once.step(actions)[1] for _ in range(8))
-    np.testing.assert_allclose(eight.step(actions)[1], paid, atol=1e-6)
-    assert np.any(paid)
 
 
 @pytest.mark.parametrize("repeat", [1, 8])
@@ -219,19 +202,6 @@ def test_returns_of_episodes_sum_their_rewards() -> None:
             assert infos[row]["episode"]["l"] == lengths[row]
             sums[row], lengths[row], seen = 0.0, 0, seen + 1
     assert seen >= 4 * 8 and all(isinstance(info["episode"]["r"], float) for info in infos if info)
-
-
-def test_results_name_the_opponent_that_played() -> None:
-    teams: Any = tuple(make_team(name) for name in ("still", "chaser"))
-    lineup = Lineup(teams, np.ones(2), ("nobody", "somebody"))
-    env = rows(opponents=lineup, max_cycles=10, matches=8)
-    env.reset()
-    for episode in range(3):
-        expected = [lineup.names[lineup.choose(int(seed), episode)] for seed in env.matches[0].seeds]
-        assert env.opponents == [expected] and len(set(expected)) == 2
-        play(env, 10)
-        assert [result.opponent for result in env.results] == expected
-        env.results.clear()
 
 
 def test_rewards_are_those_of_their_name_with_the_gamma_of_the_environment() -> None:

@@ -155,27 +155,6 @@ def test_the_state_lies_behind_the_observation_seen_from_home() -> None:
     assert halves == {1.0, -1.0}, "both halves were played"
 
 
-def test_the_state_of_an_end_is_the_last_of_the_old_episode() -> None:
-    env, longer = rows(state=True, max_cycles=60, minutes=0.1), rows(state=True, minutes=0.1)
-    env.reset(), longer.reset()
-    (seen, _, dones, infos), (expected, *_) = play(env, 60)[-1], play(longer, 60)[-1]
-    assert dones.all() and longer.matches[0].matches["half"].all()
-    assert (np.array([info["terminal_observation"] for info in infos]) == expected).all()
-    assert named_state(env, seen[0])["clock"] == 0.0 != named_state(env, expected[0])["clock"]
-
-
-def test_states_of_small_teams_have_room_for_the_largest() -> None:
-    env = rows(players=MIXED, state=True, max_cycles=5)
-    env.reset()
-    seen, _, _, infos = play(env, 5)[-1]
-    names = env.matches[1].state_names
-    for row in (seen[0], infos[0]["terminal_observation"]):
-        told = dict(zip(names, row[env.observed :], strict=True))
-        assert [told[f"home_{i}_present"] for i in range(3)] == [1.0, 0.0, 0.0]
-        assert [told[f"away_{i}_present"] for i in range(3)] == [1.0, 0.0, 0.0]
-    assert (seen[-1, env.observed :] == env.matches[1].state()[-1]).all()
-
-
 @pytest.mark.parametrize("repeat", [1, 8])
 def test_stagger_spreads_the_clocks_over_the_first_half(repeat: int) -> None:
     env = rows(matches=8, stagger=True, minutes=1.0, action_repeat=repeat, senses="sensors", observe="belief")
