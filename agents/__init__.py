@@ -5,6 +5,7 @@ policy.py       a policy: a network, and the facts that must agree before it may
 normalising.py  normalisation of observations before a network
 rules_known.py  the rules that a policy was trained under, and a warning under other rules
 trained_with.py the senses that a policy was trained with, and differences from a match
+array_checks.py checks of a policy's arrays
 policy_file.py  policy files, which never run code
 torch_policy.py policies of any torch library, written as policy files
 torch_layers.py the layers of a torch module
@@ -14,7 +15,6 @@ onnx_team.py    policies in ONNX files as teams
 onnx_export.py  policies written as ONNX files
 onnx_checks.py  checks of ONNX files: a network of known size
 perceptron.py   the network, computed in compiled code
-attention.py    attention over other players, before the layers
 recurrent.py    a recurrent memory before the layers
 policies/       the bundled policies, with their model card
 """

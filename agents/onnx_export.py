@@ -55,15 +55,13 @@ class Graph:
 
 
 def save_onnx(policy: Policy | str | os.PathLike[str], path: str | os.PathLike[str]) -> None:
-    """Write a policy, or that of a policy file, as an ONNX file; ValueError for a policy with attention.
+    """Write a policy, or that of a policy file, as an ONNX file.
 
     It plays as `FILE.onnx:observe=...,action_repeat=...,at_once=...` with the settings of the policy, in float32.
     """
     if Path(path).suffix != ENDING:
         raise ValueError(f"an ONNX file must end in {ENDING}, got {os.fspath(path)!r}")
     policy = policy if isinstance(policy, Policy) else load(policy)
-    if policy.attention:
-        raise ValueError(f"policy {policy.name!r} has attention, which save_onnx does not write")
     try:
         from onnx import TensorProto, helper
     except ImportError:

@@ -2,10 +2,10 @@
 
 A network lies in one flat array of numbers, so that kernels are compiled once for networks of every size:
 
-    layers, kind and activation, mirror, action repeat, at once, output, normalised | sizes of all layers, the first
-    layer's inputs in front | with attention its shape | with a memory its units, and which input says that the robot
-    is active | places of the inputs in an observation | signs of a mirror | normalised: limit, means, deviations
-    | with attention Q, W, b of both kinds | with a memory W, b, U, c | weights and biases
+    layers, memory and activation, mirror, action repeat, at once, output, normalised | sizes of all layers, the first
+    layer's inputs in front | with a memory its units, and which input says that the robot is active | places of the
+    inputs in an observation | signs of a mirror | normalised: limit, means, deviations | with a memory W, b, U, c
+    | weights and biases
 
 An action depends bit for bit on its own observation and state of memory alone, and not on other rows.
 """
@@ -19,7 +19,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from soccer_env.actions import BOX, DISCRETE_TABLE, FULL, KICK_TABLE, LEVEL_TABLE, WALK
-from soccer_env.agents.attention import SHAPE, attend, flatten_tensors, layout_of, observation_size, shape_numbers
 from soccer_env.agents.normalising import pack_table
 from soccer_env.agents.recurrent import ACTIVE, GATES, memory_units, multiply, remember
 from soccer_env.compiled import compiled
@@ -33,9 +32,7 @@ LAYERS, NETWORK, MIRROR, REPEAT, AT_ONCE, OUTPUT, NORMALISED, SIZES = range(8)  
 CLIPPED, SQUASHED, CHOSEN, PARTS_CHOSEN = range(4)  # use of the outputs: clipped, tanh, the largest, that of each part
 OUTPUTS = {"discrete": CHOSEN, "multi": PARTS_CHOSEN}
 CHOICE, CHOICES = len(BOX), len(FULL)  # numbers of an action of the kind "discrete", and of "multi"
-NETWORKS = (("slots", "tanh"), ("slots", "relu"), ("attention", "tanh"), ("attention", "relu"))
-ATTENTION = 2  # from this index of NETWORKS on there is attention; even indices have tanh
-RECURRENT = len(NETWORKS)  # is added to the index of a network with a memory
+RELU, RECURRENT = 1, 2  # added up at NETWORK; without RELU the activation is tanh
 MEMORY_SHAPE = 2  # numbers: units, and the input ACTIVE, or -1
 
 
@@ -45,19 +42,16 @@ def pack_policy(policy: Policy, at_once: bool = False, columns: Sequence[int] | 
     columns: the place of each input in an observation; None: the policy's inputs are the observation.
     """
     sizes = [policy.weights[0].shape[1], *(len(bias) for bias in policy.biases)]
-    network = NETWORKS.index((policy.kind, policy.activation)) + (RECURRENT if policy.memory else 0)
+    network = RELU * (policy.activation == "relu") + (RECURRENT if policy.memory else 0)
     output = OUTPUTS.get(policy.actions, SQUASHED if policy.squash else CLIPPED)
     scaled = pack_table(policy.normalise)
     head = [len(policy.weights), network, policy.mirror, policy.action_repeat, at_once, output, len(scaled) > 0, *sizes]
-    if policy.attention:
-        head += shape_numbers(layout_of(policy.entries), len(policy.attention[1]))
     if policy.memory:
         head += memory_units(policy.memory), policy.inputs.index(ACTIVE) if ACTIVE in policy.inputs else -1
     signs = observation_signs(policy.entries) if policy.mirror else np.ones(len(policy.inputs))
     turned = action_signs(sizes[-1]) if policy.mirror else np.ones(sizes[-1])
     places = np.arange(len(policy.inputs)) if columns is None else np.array(columns)
     parts = [np.array(head, np.float64), places.astype(np.float64), signs, turned, scaled]
-    parts += flatten_tensors(policy.attention)
     layers = (*zip(policy.memory[::2], policy.memory[1::2]), *zip(policy.weights, policy.biases))
     for weight, bias in layers:
         parts += [weight.T.astype(np.float64).ravel(), bias.astype(np.float64)]
@@ -153,9 +147,7 @@ def forget_if_sent_off(numbers, row, places, states):
 @compiled
 def forward(numbers, layers, start, state, scratch):
     """Compute the network's outputs for the inputs in scratch[2], write them into scratch[0], and update `state`."""
-    smooth, at = numbers[NETWORK] % 2.0 == 0.0, start
-    if has_attention(numbers):
-        at = attend(numbers, SIZES + layers + 1, start, smooth, scratch)
+    smooth, at = numbers[NETWORK] % RECURRENT == 0.0, start
     units = memory_size(numbers)
     if units > 0:
         at = remember(numbers, at, int(numbers[SIZES]) - units, units, state, scratch)
@@ -168,15 +160,9 @@ def forward(numbers, layers, start, state, scratch):
 
 
 @compiled
-def has_attention(numbers):
-    """Tell whether this network has attention."""
-    return numbers[NETWORK] % RECURRENT >= ATTENTION
-
-
-@compiled
 def memory_shape(numbers):
     """Return the index at which the shape of a memory begins, if there is one."""
-    return SIZES + int(numbers[LAYERS]) + 1 + (SHAPE if has_attention(numbers) else 0)
+    return SIZES + int(numbers[LAYERS]) + 1
 
 
 @compiled
@@ -188,8 +174,6 @@ def memory_size(numbers):
 @compiled
 def input_size(numbers):
     """Return the number of entries of an observation that this network reads."""
-    if has_attention(numbers):
-        return observation_size(numbers, SIZES + int(numbers[LAYERS]) + 1)
     return int(numbers[SIZES]) - memory_size(numbers)
 
 

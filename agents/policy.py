@@ -2,7 +2,6 @@
 
     observation (inputs,) in [-1, 1]                                       names in `inputs`, in this order
       -> normalised, if `normalise` is set                                 normalising.py
-      -> kind "attention" only: other players pooled                       attention.py
       -> with a memory: its state appended                                 recurrent.py
       -> weights[0] x + biases[0] -> activation                            hidden layers, 0 to 7
       -> ...
@@ -22,13 +21,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.actions import BOX, FULL, PARTS
-from soccer_env.agents.attention import (
-    MAX_UNITS,
-    check_array,
-    check_attention,
-    check_attention_overflow,
-    check_below_limit,
-)
+from soccer_env.agents.array_checks import check_array, check_below_limit
 from soccer_env.agents.normalising import check_normalise
 from soccer_env.agents.recurrent import check_memory, check_memory_overflow, memory_units
 from soccer_env.agents.rules_known import check_rules_table, recorded, tell_of_rules
@@ -40,11 +33,11 @@ from soccer_env.observations import OBSERVE, Entry, entries_named, entry_names
 from soccer_env.observations.reflection import observation_signs
 
 ACTIONS = {"box": len(BOX), "full": len(FULL), **{kind: sum(parts) for kind, parts in PARTS.items()}}  # of outputs
-KINDS = ("slots", "attention")
 ACTIVATIONS = ("tanh", "relu")
 MAX_REPEAT = 1000  # [control steps]
 MAX_INPUTS = 4096
 MAX_LAYERS = 8
+MAX_UNITS = 1024
 MAX_NUMBERS = 3_900_000  # of all layers together, so that a policy file stays below its 16 MiB
 MAX_MADE = 64  # entries
 MAX_TEXT = 2000  # characters of one entry
@@ -68,13 +61,11 @@ class Policy:
     inputs: tuple[str, ...]  # names of the entries that it reads, in order; an observation may have more
     actions: str  # "box" (4 numbers), "full" (7), "discrete" or "multi" (a value for each choice)
     action_repeat: int  # [control steps] for which an action is kept, 1 to 1000
-    kind: str  # architecture: "slots" (a plain MLP over the flat observation) or "attention" (over other players)
     activation: str  # "tanh" or "relu", behind every layer but the last
     mirror: bool  # True: the output is the mean of the network and of its left-right mirror image
     weights: tuple[np.ndarray, ...]  # (out, in) float32 of each layer
     biases: tuple[np.ndarray, ...]  # (out,) float32 of each layer
     made: Mapping[str, str]  # where it comes from: command, date, commit, seed, versions ... plain text
-    attention: tuple[np.ndarray, ...] = ()  # float32, as `attention.TENSORS` names them; () for kind "slots"
     rules: Mapping[str, Any] = field(default_factory=dict)  # of the training, by name; {}: unknown
     squash: bool = False  # True: tanh of the outputs instead of clipping them
     at_once: bool = False  # True: its first decision is in the first step of an episode, as in the APIs
@@ -90,7 +81,6 @@ class Policy:
         _check_whole_number("control_rate", self.control_rate, MAX_RATE)
         check_choice("observe", self.observe, OBSERVE)
         check_choice("actions", self.actions, tuple(ACTIONS))
-        check_choice("kind", self.kind, KINDS)
         check_choice("activation", self.activation, ACTIVATIONS)
         for name in ("mirror", "squash", "at_once"):
             if type(getattr(self, name)) is not bool:
@@ -106,15 +96,13 @@ class Policy:
         check_trained_with(self)
         if self.mirror:
             observation_signs(self.entries)
-        features = check_attention(self.kind, self.attention, self.entries)
-        units = check_memory(self.memory, features)
-        numbers = sum(array.size for array in (*self.attention, *self.memory))
-        _check_layers(self.weights, self.biases, features + units, ACTIONS[self.actions], numbers)
-        entering = check_normalise(self.normalise, len(self.inputs))
-        largest = check_attention_overflow(self.attention, self.activation, entering)
+        inputs = len(self.inputs) + check_memory(self.memory, len(self.inputs))
+        numbers = sum(array.size for array in self.memory)
+        _check_layers(self.weights, self.biases, inputs, ACTIONS[self.actions], numbers)
+        largest = check_normalise(self.normalise, len(self.inputs))
         check_memory_overflow(self.memory, largest)
         _check_unit_overflow(self.weights, self.biases, self.activation, largest)
-        for name in ("weights", "biases", "attention", "memory"):
+        for name in ("weights", "biases", "memory"):
             object.__setattr__(self, name, tuple(_read_only_copy(array) for array in getattr(self, name)))
         for name in ("made", "rules", "normalise"):
             object.__setattr__(self, name, dict(getattr(self, name)))
@@ -123,7 +111,7 @@ class Policy:
         """Return name, league and shape of the policy, without its numbers."""
         sizes = ", ".join(str(len(bias)) for bias in self.biases)
         sizes += f", memory of {memory_units(self.memory)}" if self.memory else ""
-        shape = f"{self.kind} of {len(self.inputs)} inputs, layers of {sizes}"
+        shape = f"{len(self.inputs)} inputs, layers of {sizes}"
         return f"Policy({self.name!r}, {self.league!r}, observe={self.observe!r}, actions={self.actions!r}: {shape})"
 
     @property

@@ -6,8 +6,7 @@
 
 TEXT is JSON again: the fields of `Policy` without its arrays, and "version". The schema is strict: exactly these keys,
 each once, with these types; anything else is a ValueError in one line that names the file. `inputs` names the entries
-that the policy reads. The kind "attention" has six more tensors, "teammate.weight" and so on (`attention.TENSORS`), a
-policy with a memory four (`recurrent.TENSORS`).
+that the policy reads, "kind" is always "slots". A policy with a memory has four more tensors (`recurrent.TENSORS`).
 
 Version 7 added the memory; version 6 actions of the kind "multi"; version 5 the senses of the training; version 4
 discrete, squashed and normalised policies, and the step of the first decision. Versions 1 and 2 have no rules; version
@@ -29,11 +28,10 @@ from safetensors import SafetensorError
 from safetensors.numpy import load as tensors_of
 from safetensors.numpy import save
 
-from soccer_env.agents.attention import TENSORS
 from soccer_env.agents.policy import MAX_INPUTS, MAX_LAYERS, Policy, league_fields
-from soccer_env.agents.recurrent import TENSORS as MEMORY_TENSORS
+from soccer_env.agents.recurrent import TENSORS
 from soccer_env.guards import whole_files
-from soccer_env.guards.checking import short_repr
+from soccer_env.guards.checking import check_choice, short_repr
 from soccer_env.leagues import LEAGUES
 from soccer_env.match.arguments import version
 
@@ -59,6 +57,7 @@ LACKS = {
     5: (), 6: (),
 }  # fmt: skip
 """The keys that older files lack, by version."""
+KIND = "slots"  # the only kind of network
 KINDS = {"discrete": 4, "multi": 6}  # the versions that added kinds of actions
 MEMORY = 7  # the version that added the memory
 TABLES = ("made", "rules", "normalise")
@@ -70,14 +69,14 @@ def dump(policy: Policy) -> bytes:
 
     The lowest version from 3 on that can hold the policy is written, so that older versions of the package can read it.
     """
-    fields = {key: getattr(policy, key) for key in SCHEMA if key not in ("version", "inputs", *TABLES)}
+    fields = {key: getattr(policy, key) for key in SCHEMA if key not in ("version", "kind", "inputs", *TABLES)}
     tables = {key: dict(getattr(policy, key)) for key in TABLES}
-    table = {"version": VERSION, **fields, "inputs": list(policy.inputs), **tables}
+    table = {"version": VERSION, "kind": KIND, **fields, "inputs": list(policy.inputs), **tables}
     needed = [version for version, keys in NEWER.items() if any(table[key] != usual for key, usual in keys.items())]
     table["version"] = max([3, *needed, KINDS.get(policy.actions, 3), MEMORY if policy.memory else 3])
     table = {key: value for key, value in table.items() if key not in LACKS.get(table["version"], ())}
     text = json.dumps(table, sort_keys=True, ensure_ascii=False, separators=(",", ":"))
-    tensors = dict(zip(TENSORS, policy.attention)) | dict(zip(MEMORY_TENSORS, policy.memory))
+    tensors = dict(zip(TENSORS, policy.memory))
     for number, (weight, bias) in enumerate(zip(policy.weights, policy.biases)):
         tensors |= {f"layer{number}.weight": weight, f"layer{number}.bias": bias}
     content: bytes = save(tensors, metadata={KEY: text})
@@ -94,7 +93,7 @@ def parse(data: bytes, where: str) -> Policy:
     try:
         header = _header(data)
         table = _read_policy_fields(header)
-        _check_tensors(header, _more_tensor_names(table, header))
+        _check_tensors(header, _memory_tensor_names(table, header))
         return _policy_from_tensors(table, tensors_of(data))
     except (ValueError, SafetensorError) as error:
         raise ValueError(f"policy file {where!r}: {one_line(error)}") from None
@@ -191,6 +190,7 @@ def _read_policy_fields(header: Mapping[str, Any]) -> dict[str, Any]:
     for key, kind in SCHEMA.items():
         if type(fields[key]) is not kind:
             raise ValueError(f"{key} must be of the JSON type of {kind.__name__}, got {short_repr(fields[key])}")
+    check_choice("kind", fields["kind"], (KIND,))
     return fields
 
 
@@ -217,10 +217,9 @@ def describe_maker(table: Mapping[str, Any]) -> str:
     return f"{origin}; this soccer_env ({version()})"
 
 
-def _more_tensor_names(table: Mapping[str, Any], tensors: Mapping[str, Any]) -> tuple[str, ...]:
-    """Return the names of a policy's tensors that belong to attention or memory instead of layers."""
-    remembers = table["version"] >= MEMORY and any(name in tensors for name in MEMORY_TENSORS)
-    return (TENSORS if table["kind"] == "attention" else ()) + (MEMORY_TENSORS if remembers else ())
+def _memory_tensor_names(table: Mapping[str, Any], tensors: Mapping[str, Any]) -> tuple[str, ...]:
+    """Return the names of a policy's tensors that belong to its memory instead of layers."""
+    return TENSORS if table["version"] >= MEMORY and any(name in tensors for name in TENSORS) else ()
 
 
 def _check_tensors(header: Mapping[str, Any], more: tuple[str, ...]) -> None:
@@ -245,13 +244,12 @@ def _check_tensors(header: Mapping[str, Any], more: tuple[str, ...]) -> None:
 
 def _policy_from_tensors(table: Mapping[str, Any], tensors: Mapping[str, Any]) -> Policy:
     """Return the policy made from a checked table and its tensors."""
-    more = _more_tensor_names(table, tensors)
+    more = _memory_tensor_names(table, tensors)
     layers = range((len(tensors) - len(more)) // 2)
     return Policy(
-        **{key: table[key] for key in SCHEMA if key not in ("version", "inputs")},
+        **{key: table[key] for key in SCHEMA if key not in ("version", "kind", "inputs")},
         inputs=tuple(table["inputs"]),
         weights=tuple(tensors[f"layer{number}.weight"] for number in layers),
         biases=tuple(tensors[f"layer{number}.bias"] for number in layers),
-        attention=tuple(tensors[name] for name in more if name in TENSORS),
-        memory=tuple(tensors[name] for name in more if name in MEMORY_TENSORS),
+        memory=tuple(tensors[name] for name in more),
     )

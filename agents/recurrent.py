@@ -5,16 +5,16 @@
     n  = tanh(W_n x + b_n + r * (U_n h + c_n))       (units,)  [Cho et al. 2014], with r as in torch's GRUCell
     h' = (1 - z) n + z h                             (units,)  the new state, which follows x in the first layer's input
 
-x are the inputs, or with attention the fixed entries and both pooled vectors. The state is one of the numbers that a
-player's memory holds: in [-1, 1], saved and hashed with the match. It is 0 at the first decision of an episode, and of
-a robot that was sent off. A policy with `mirror` keeps a second state, of the mirror image.
+x are the inputs. The state is one of the numbers that a player's memory holds: in [-1, 1], saved and hashed with the
+match. It is 0 at the first decision of an episode, and of a robot that was sent off. A policy with `mirror` keeps a
+second state, of the mirror image.
 """
 
 from math import tanh
 
 import numpy as np
 
-from soccer_env.agents.attention import check_array, check_below_limit, check_tensors
+from soccer_env.agents.array_checks import check_array, check_below_limit, check_tensors
 from soccer_env.compiled import compiled
 
 TENSORS = tuple(f"memory.{part}_{kind}" for part in ("input", "state") for kind in ("weight", "bias"))  # W, b, U, c

@@ -90,7 +90,7 @@ def load_sb3(
         return Policy(
             **read, **(league_fields if rules is None else training_fields)(preset),
             name=_policy_name(path) if name is None else name,
-            observe=observe, inputs=tuple(inputs), action_repeat=action_repeat, kind="slots", mirror=False,
+            observe=observe, inputs=tuple(inputs), action_repeat=action_repeat, mirror=False,
             at_once=at_once, normalise=normaliser_table(normalise), **known_senses(senses, pose),
         )  # fmt: skip
     except ValueError as error:

@@ -57,7 +57,7 @@ def save_policy(
         raise ValueError(f"the module takes {taken} inputs, {observe!r} of {preset.name!r} has {len(inputs)}")
     policy = Policy(
         name=Path(path).stem if name is None else name, **training_fields(preset), observe=observe, inputs=inputs,
-        actions=action_kind(network), action_repeat=action_repeat, kind="slots", activation=network.activation,
+        actions=action_kind(network), action_repeat=action_repeat, activation=network.activation,
         mirror=False, weights=network.weights, biases=network.biases, made=policy_origin(module), at_once=at_once,
         squash=squash or network.squash, normalise=normaliser_table(normalise), **known_senses(senses, pose),
     )  # fmt: skip

@@ -38,7 +38,7 @@ def support_point(sight, memory, k, play, ring, keeps_out):
     x = clip(sight.ball_x + stretch * off_x, -edge_x, edge_x)
     y = clip(sight.ball_y + stretch * off_y, -edge_y, edge_y)
     if keeps_out:
-        x, y = out_of_own_area(x, y, k, k.body_reach + play.berth + AREA_ROOM)
+        x, y = out_of_own_area(x, y, k, k.body_reach + AREA_ROOM)
     if memory.rank > 0 or ring == 0.0:
         x, y = move_out_of_area(sight, k, x, y, ring)
     return waypoint_round_ball(sight, k, x, y)

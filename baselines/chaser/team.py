@@ -124,7 +124,6 @@ NUMBERS = {  # all assumed; for a gait, an omnidirectional and a differential ba
     "shot_speed": (0.15, 0.5, 0.5),  # [m/s] a ball this fast towards the goal is a shot
     "dive": (0.0, 0.0, 0.0),  # [m/s] at which a shot is met
     "clear_cosine": (0.77, 0.77, 0.77),  # cosine of the angle to the way clear of the goal for a kick, 40 degrees
-    "berth": (0.0, 0.0, 0.0),  # [m] more than AREA_ROOM that a field player keeps off its own area
     "retreat": (0.75, 0.75, 0.75),  # [s] before a push is for too long it steps back: delay, gait step, legs' ramp
     "unsure": (45.0, 0.0, 0.0),  # [1] confidence in the own pose below which a player looks up for landmarks
     "lost": (15.0, 0.0, 0.0),  # [1] the same with the ball so near that it loses it
@@ -183,7 +182,7 @@ def decide(belief, command, sight, memory, noise, k, play):
     """Choose and play the player's role: goalkeeper, field player, or search for a lost ball."""
     situation = belief.situation
     keeps_out = may_not_enter(situation, k)
-    if keeps_out and leave_area(command, sight, k, play, play.berth):
+    if keeps_out and leave_area(command, sight, k, play):
         return
     if belief.ball.age > LOST or memory.phantom > PHANTOM:
         search_for_ball(belief, command, sight, memory, k, play)

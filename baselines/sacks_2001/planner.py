@@ -91,7 +91,7 @@ def decide(belief, tracks, memory, command, sight, k, play, elapsed):
 def leave_penalty_area(memory, command, sight, k, play):
     """Walk out of the own penalty area and leave the ball to the goalkeeper, as the rules demand."""
     in_it = is_in_own_area(sight.ball_x, sight.ball_y, k, k.ball_radius)
-    if not leave_area(command, sight, k, play, 0.0) and in_it and memory.behaviour == APPROACH:
+    if not leave_area(command, sight, k, play) and in_it and memory.behaviour == APPROACH:
         wait_at_area(command, sight, k, play)
 
 

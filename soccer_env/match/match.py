@@ -233,25 +233,12 @@ class Match(Views, Branching):
 
     def _decide_slice(self, numbers: np.ndarray, first: int, last: int) -> None:
         """Write the commands of a slice of matches: decisions of compiled teams, and over them learners' actions."""
-        self._decide_compiled_teams(first, last)
-        write_learner_commands(self.robots, numbers, first, last, self.learns)
-
-    def _decide_compiled_teams(self, first: int, last: int) -> None:
-        """Write the commands of the compiled teams in a slice of matches."""
         if len(self._readers):
             self.batch.read(self._readers, first, last)
         for squad in self.squads:
             if squad.compiled:
                 run_compiled(squad, self._team_arrays, self.batch.write_observations, first, last)
-
-    def decide(self) -> np.ndarray:
-        """Let the compiled teams decide from the current records, without a step; return commands (M, R).
-
-        Robots that no team plays keep their last command.
-        """
-        self._decide_compiled_teams(0, self.count)
-        commands: np.ndarray = self.robots["command"]
-        return commands
+        write_learner_commands(self.robots, numbers, first, last, self.learns)
 
     def _decide_python_teams(self) -> None:
         """Let teams written in plain Python decide, in all matches at once."""

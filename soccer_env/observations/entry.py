@@ -64,9 +64,8 @@ class Entry:
 class Observation(Protocol):
     """The protocol of a user's own observation: `soccer_v0.parallel_env(observe=MyObservation())`.
 
-    Mirrors need `entries` with frames, attention needs `entries` with slots. Numbers of `names` and `entries` lie in
-    [-1, 1], or in [`low`, `high`] if these are given; `space` has any shape, or is a Dict. `needs_beliefs = False` says
-    that the observation reads no beliefs.
+    Mirrors need `entries` with frames. Numbers of `names` and `entries` lie in [-1, 1], or in [`low`, `high`] if these
+    are given; `space` has any shape, or is a Dict. `needs_beliefs = False` says that the observation reads no beliefs.
     """
 
     names: Sequence[str]  # one for each number, or instead:

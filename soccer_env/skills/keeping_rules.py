@@ -46,11 +46,11 @@ def out_of_own_area(x, y, k, room):
 
 
 @compiled
-def leave_area(command, sight, k, play, berth):
-    """Walk out of the own penalty area by the shortest way; return whether the player was within `berth` [m] of it."""
-    if not is_in_own_area(sight.x, sight.y, k, k.body_reach + berth):
+def leave_area(command, sight, k, play):
+    """Walk out of the own penalty area by the shortest way; return whether the player's body reached into it."""
+    if not is_in_own_area(sight.x, sight.y, k, k.body_reach):
         return False
-    x, y = out_of_own_area(sight.x, sight.y, k, k.body_reach + berth + ROOM)
+    x, y = out_of_own_area(sight.x, sight.y, k, k.body_reach + ROOM)
     facing = atan2(sight.ball_y - sight.y, sight.ball_x - sight.x)
     go(command, sight, k, play, x, y, facing, k.drive_forward)
     ahead, left = into_frame(x - sight.x, y - sight.y, sight.cosine, sight.sine)

@@ -16,7 +16,7 @@ ONES = {"weights": (np.ones((3, 2), np.float32), np.ones((4, 3), np.float32))}
 ONES["biases"] = (np.ones(3, np.float32), np.ones(4, np.float32))
 FIELDS: dict[str, Any] = {
     "name": "tiny", **training_fields(find_league("legged-2001")), "observe": "truth", "inputs": ("ball_x", "ball_y"),
-    "actions": "box", "action_repeat": 1, "kind": "slots", "activation": "tanh", "mirror": False, **ONES,
+    "actions": "box", "action_repeat": 1, "activation": "tanh", "mirror": False, **ONES,
     "made": {"seed": "1"},
 }  # fmt: skip
 GOOD = dump(Policy(**FIELDS))

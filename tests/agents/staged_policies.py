@@ -6,7 +6,6 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.agents.attention import layout_of
 from soccer_env.agents.learned import LearnedTeam, from_file
 from soccer_env.agents.perceptron import act, memory_size, pack_policy, widest_layer
 from soccer_env.agents.policy import ACTIONS, Policy, training_fields
@@ -26,44 +25,21 @@ def random_policy(
     sizes, rng = [len(names), *(hidden or (16,)), outputs], np.random.default_rng(seed)
     fields: dict[str, Any] = {
         "name": "lively", **training_fields(trained), "observe": observe, "inputs": names, "actions": "box",
-        "action_repeat": 1, "kind": "slots", "activation": "tanh", "mirror": False, "made": {},
+        "action_repeat": 1, "activation": "tanh", "mirror": False, "made": {},
         "weights": tuple(rng.normal(0.0, 1.5 / a**0.5, (b, a)).astype(np.float32) for a, b in zip(sizes, sizes[1:])),
         "biases": tuple(rng.normal(0.0, 0.3, b).astype(np.float32) for b in sizes[1:]),
     }  # fmt: skip
     return Policy(**{**fields, **changes})
 
 
-def random_attention_policy(
-    *hidden: int, width: int = 8, observe: str = "belief", seed: int = 1, **changes: Any
-) -> Policy:
-    """Return the like with attention of some width over the other players."""
-    plain = random_policy(*hidden, observe=observe, seed=seed, **changes)
-    layout, rng = layout_of(plain.entries), np.random.default_rng(seed)
-
-    def drawn(scale: float, shape: tuple[int, ...]) -> np.ndarray:
-        return rng.normal(0.0, scale / shape[-1] ** 0.5, shape).astype(np.float32)
-
-    attention = tuple(drawn(2.0, shape) for shape in layout.shapes(width))
-    first = drawn(3.0, (len(plain.biases[0]), layout.features(width)))
-    return replace(plain, kind="attention", attention=attention, weights=(first, *plain.weights[1:]))
-
-
-def random_recurrent_policy(
-    *hidden: int, units: int = 8, attention: bool = False, seed: int = 1, **changes: Any
-) -> Policy:
-    """Return the like with a memory of some units, with or without attention."""
-    plain = (random_attention_policy if attention else random_policy)(*hidden, seed=seed, **changes)
+def random_recurrent_policy(*hidden: int, units: int = 8, seed: int = 1, **changes: Any) -> Policy:
+    """Return the like with a memory of some units."""
+    plain = random_policy(*hidden, seed=seed, **changes)
     first, rng = plain.weights[0], np.random.default_rng(seed)
     shapes = memory_shapes(units, first.shape[1])
     memory = tuple(rng.normal(0.0, 2.0 / shape[-1] ** 0.5, shape).astype(np.float32) for shape in shapes)
     states = rng.normal(0.0, 2.0, (len(first), units)).astype(np.float32)
     return replace(plain, memory=memory, weights=(np.hstack([first, states]), *plain.weights[1:]))
-
-
-SMALL_ATTENTION = random_attention_policy(
-    3, width=2, weights=(np.ones((3, 5), np.float32), np.ones((4, 3), np.float32)),
-    inputs=("ball_x", "teammate_0_present", "teammate_0_x", "opponent_0_present", "opponent_0_x"),
-)  # fmt: skip
 
 
 def team_from_disk(policy: Policy, folder: Path) -> LearnedTeam:

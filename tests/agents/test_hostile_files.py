@@ -28,7 +28,7 @@ from tests.agents.staged_files import (
     with_tensor,
     without_key,
 )
-from tests.agents.staged_policies import SMALL_ATTENTION, random_recurrent_policy
+from tests.agents.staged_policies import random_recurrent_policy
 from tests.agents.staged_zips import Canary
 
 
@@ -48,7 +48,7 @@ def test_the_corpus_starts_from_a_good_file() -> None:
 
 
 SMALL_MEMORY = random_recurrent_policy(2, units=2, inputs=("ball_x", "active"))
-FILES = {"slots": GOOD, "attention": dump(SMALL_ATTENTION), "memory": dump(SMALL_MEMORY)}
+FILES = {"slots": GOOD, "memory": dump(SMALL_MEMORY)}
 all_kinds = pytest.mark.parametrize("good", FILES.values(), ids=FILES)
 
 
@@ -71,9 +71,7 @@ def test_a_flipped_bit_is_refused_or_harmless(good: bytes) -> None:
             except ValueError as refusal:
                 assert str(refusal).startswith(f"policy file {WHERE!r}: ") and str(refusal).isprintable()
             else:  # another word of free text, or another weight
-                assert all(
-                    np.isfinite(array).all() for array in found.weights + found.biases + found.attention + found.memory
-                )
+                assert all(np.isfinite(array).all() for array in found.weights + found.biases + found.memory)
 
 
 @settings(max_examples=100)
@@ -150,6 +148,7 @@ CORPUS = {
     "unknown key": (with_fields(code="import os"), "unknown key 'code'"),
     "unknown long key": (with_fields(**{"x\n" * 10_000: 1}), "unknown key 'x"),
     "repeat is true": (with_fields(action_repeat=True), "action_repeat must be of the JSON type of int"),
+    "other kind": (with_fields(kind="attention"), "kind must be one of slots, got 'attention'"),
     "mirror is 0": (with_fields(mirror=0), "mirror must be of the JSON type of bool"),
     "rules are a list": (with_fields(rules=[]), "rules must be of the JSON type of dict"),
     "rules without a name": (with_fields(rules={"pushing": True}), r"rules\['name'\] must be a text"),

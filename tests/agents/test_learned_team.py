@@ -3,7 +3,6 @@
 import os
 import subprocess
 import sys
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -12,12 +11,11 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.agents.learned import first_decision_step, team_from_policy
-from soccer_env.agents.policy import Policy
 from soccer_env.leagues import find_league
 from soccer_env.observations import entry_names
 from soccer_env.teams import TeamRandom, View, make_team
 from soccer_env.types import COMMAND
-from tests.agents.staged_policies import decide, random_attention_policy, random_policy, team_from_disk
+from tests.agents.staged_policies import decide, random_policy, team_from_disk
 from tests.scenes.staging import play
 from tests.scenes.symmetry import Records, mirrored
 
@@ -85,10 +83,9 @@ def test_robots_stand_until_the_first_decision_and_keep_each_for_the_repeat() ->
         assert changed == ((step - first) % 8 == 0)
 
 
-@pytest.mark.parametrize("make", [random_policy, random_attention_policy])
 @pytest.mark.parametrize("size", [1, 2, 3, 5])
-def test_any_team_size_plays_and_each_robot_by_its_own_observation(size: int, make: Callable[..., Policy]) -> None:
-    policy = make(16)
+def test_any_team_size_plays_and_each_robot_by_its_own_observation(size: int) -> None:
+    policy = random_policy(16)
     teams = {"home": team_from_policy(policy), "away": "chaser"}
     match = Match(home=size, away=size, controllers=teams, matches=2, seed=1)
     start = match.robots["x"].copy()
@@ -100,13 +97,12 @@ def test_any_team_size_plays_and_each_robot_by_its_own_observation(size: int, ma
 
 
 @pytest.mark.parametrize("mirror", [False, True])
-@pytest.mark.parametrize("make", [random_policy, random_attention_policy])
-def test_a_policy_of_fewer_inputs_plays_as_its_network_says_to_these(make: Any, mirror: bool) -> None:
+def test_a_policy_of_fewer_inputs_plays_as_its_network_says_to_these(mirror: bool) -> None:
     """As policies of the time before the clocks: they read the entries by name, bit for bit."""
     names = entry_names(find_league("legged-2001"), "belief")
     old = [name for name in names if name not in ("own_pushing", "own_holding", "own_penalty", "ball_still")]
     columns = [names.index(name) for name in old]
-    policy = make(16, mirror=mirror, inputs=tuple(old))
+    policy = random_policy(16, mirror=mirror, inputs=tuple(old))
     match = Match(home=2, away=1, controllers={"home": team_from_policy(policy), "away": "chaser"}, seed=1)
     for _ in range(40):
         match.step()
@@ -126,9 +122,8 @@ def test_a_policy_plays_beside_other_teams_of_its_side() -> None:
         assert (commanded(match)[0, 1, :4] == decide(policy, squad.observations[0, 1:2])[0]).all()
 
 
-@pytest.mark.parametrize("make", [random_policy, random_attention_policy])
-def test_a_team_from_a_file_plays_as_the_policy_itself(tmp_path: Path, make: Callable[..., Policy]) -> None:
-    policy = make(16, 8, action_repeat=4, mirror=True)
+def test_a_team_from_a_file_plays_as_the_policy_itself(tmp_path: Path) -> None:
+    policy = random_policy(16, 8, action_repeat=4, mirror=True)
     hashes = []
     saved = team_from_disk(policy, tmp_path)
     for team in (saved, team_from_policy(policy), make_team(saved)):
@@ -181,8 +176,8 @@ def test_plain_python_plays_what_the_compiled_code_plays() -> None:
     program = """
 from soccer_env import Match
 from soccer_env.agents.learned import team_from_policy
-from tests.agents.staged_policies import random_attention_policy, random_policy
-makers = (random_policy, random_attention_policy)
+from tests.agents.staged_policies import random_policy, random_recurrent_policy
+makers = (random_policy, random_recurrent_policy)
 for make, activation in ((make, activation) for make in makers for activation in ("tanh", "relu")):
     team = team_from_policy(make(16, 8, activation=activation, mirror=True, action_repeat=4))
     match = Match(home=1, away=1, controllers={"home": team, "away": team}, senses="ideal", seed=1)

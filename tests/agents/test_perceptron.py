@@ -1,6 +1,5 @@
 """The compiled network: it agrees with torch, each row is computed alone, and a mirror policy is its own mirror."""
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -13,7 +12,7 @@ from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.observations.reflection import action_signs, observation_signs
 from soccer_env.types import COMMAND
-from tests.agents.staged_policies import decide, random_attention_policy, random_policy
+from tests.agents.staged_policies import decide, random_policy
 
 SIZES = [(8,), (64, 64), (33, 7, 12)]
 
@@ -22,15 +21,13 @@ def observations(policy: Policy, count: int = 64) -> np.ndarray:
     return np.random.default_rng(3).uniform(-1.0, 1.0, (count, len(policy.inputs))).astype(np.float32)
 
 
-@pytest.mark.parametrize("kind", ["slots", "attention"])
 @pytest.mark.parametrize("actions", ["box", "full"])
 @pytest.mark.parametrize("mirror", [False, True])
 @pytest.mark.parametrize("activation", ["tanh", "relu"])
 @pytest.mark.parametrize("hidden", SIZES, ids=str)
-def test_it_agrees_with_torch(hidden: tuple[int, ...], activation: str, mirror: bool, actions: str, kind: str) -> None:
+def test_it_agrees_with_torch(hidden: tuple[int, ...], activation: str, mirror: bool, actions: str) -> None:
     torch = pytest.importorskip("torch")
-    network, policy = trained(hidden, activation, mirror, actions, kind)
-    assert policy.kind == kind
+    network, policy = trained(hidden, activation, mirror, actions)
     rows = observations(policy)
     with torch.no_grad():
         expected = network.mean_actions(torch.as_tensor(rows)[None])[0][0].numpy()
@@ -40,7 +37,7 @@ def test_it_agrees_with_torch(hidden: tuple[int, ...], activation: str, mirror: 
     assert (np.abs(expected) > 1.0).any(), "some have to be clipped"
 
 
-def trained(hidden: tuple[int, ...], activation: str, mirror: bool, actions: str, kind: str) -> tuple[Any, Policy]:
+def trained(hidden: tuple[int, ...], activation: str, mirror: bool, actions: str) -> tuple[Any, Policy]:
     """Return a network of torch with weights of some size, and the policy that holds its actor."""
     torch = pytest.importorskip("torch")
     pytest.importorskip("stable_baselines3")
@@ -48,7 +45,7 @@ def trained(hidden: tuple[int, ...], activation: str, mirror: bool, actions: str
 
     entries = random_policy().entries
     torch.manual_seed(1)
-    settings: dict[str, Any] = {"hidden": hidden, "activation": activation, "mirror": mirror, "kind": kind}
+    settings: dict[str, Any] = {"hidden": hidden, "activation": activation, "mirror": mirror}
     network = SoccerPolicy(entries, len(entries), 7 if actions == "full" else 4, **settings)
     with torch.no_grad():
         for parameter in network.actor_parameters():
@@ -66,10 +63,9 @@ def commands_of(policy: Policy, seen: np.ndarray, players: list[int], first: int
     return commands
 
 
-@pytest.mark.parametrize("make", [random_policy, random_attention_policy])
 @pytest.mark.parametrize("mirror", [False, True])
-def test_an_action_is_the_same_whatever_else_is_in_the_batch(mirror: bool, make: Callable[..., Policy]) -> None:
-    policy = make(64, 64, mirror=mirror)
+def test_an_action_is_the_same_whatever_else_is_in_the_batch(mirror: bool) -> None:
+    policy = random_policy(64, 64, mirror=mirror)
     seen = observations(policy, 33 * 3).reshape(33, 3, -1)
     everybody = commands_of(policy, seen, [0, 1, 2], 0, 33)
     alone = commands_of(policy, seen[17:18, 1:2].copy(), [0], 0, 1)
@@ -82,15 +78,14 @@ def test_an_action_is_the_same_whatever_else_is_in_the_batch(mirror: bool, make:
     assert commands_of(policy, seen, [0, 1, 2], 0, 33)[17, 1] == everybody[17, 1]
 
 
-@pytest.mark.parametrize("make", [random_policy, random_attention_policy])
 @pytest.mark.parametrize("actions", ["box", "full"])
 @pytest.mark.parametrize("observe", ["truth", "belief"])
-def test_a_mirror_policy_does_the_mirrored_for_the_mirrored_exactly(observe: str, actions: str, make: Any) -> None:
-    policy = make(64, 64, observe=observe, actions=actions, mirror=True)
+def test_a_mirror_policy_does_the_mirrored_for_the_mirrored_exactly(observe: str, actions: str) -> None:
+    policy = random_policy(64, 64, observe=observe, actions=actions, mirror=True)
     rows, signs = observations(policy), observation_signs(policy.entries).astype(np.float32)
     decided, mirrored = decide(policy, rows), decide(policy, rows * signs)
     assert (mirrored == decided * action_signs(decided.shape[1])).all()
     assert np.abs(decided[:, 1]).max() > 0.1, "something is mirrored"
-    plain = make(64, 64, observe=observe, actions=actions)
+    plain = random_policy(64, 64, observe=observe, actions=actions)
     decided, mirrored = decide(plain, rows), decide(plain, rows * signs)
     assert np.abs(mirrored - decided * action_signs(decided.shape[1])).max() > 0.1, "others do not promise that"

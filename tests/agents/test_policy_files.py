@@ -15,7 +15,7 @@ from soccer_env.agents.policy_file import LACKS, MAX_FILE, MAX_HEADER, dump, loa
 from soccer_env.leagues import LEAGUES, Slots, find_league
 from soccer_env.observations import entry_names
 from tests.agents.staged_files import FIELDS, TABLE, WHERE, assert_content_refused, with_fields, with_table, without_key
-from tests.agents.staged_policies import random_attention_policy
+from tests.agents.staged_policies import random_recurrent_policy
 
 MADE = {"command": "soccer train --seed 1", "note": 'two\nlines, "quoted", ß'}
 
@@ -36,16 +36,16 @@ def ones(*shape: int) -> np.ndarray:
     return np.ones(shape, np.float32)
 
 
-@pytest.mark.parametrize("kind", ["slots", "attention"])
-def test_a_file_gives_back_the_policy(tmp_path: Path, kind: str) -> None:
+@pytest.mark.parametrize("units", [0, 8])
+def test_a_file_gives_back_the_policy(tmp_path: Path, units: int) -> None:
     settings: dict[str, Any] = {"actions": "full", "mirror": True}
-    whole = policy(5, 3, **settings) if kind == "slots" else random_attention_policy(16, 8, width=12, **settings)
+    whole = policy(5, 3, **settings) if units == 0 else random_recurrent_policy(16, 8, units=units, **settings)
     (tmp_path / "a.safetensors").write_bytes(dump(whole))
     read = load(tmp_path / "a.safetensors")
     for field in FIELDS.keys() - {"weights", "biases"}:
         assert getattr(read, field) == getattr(whole, field)
-    assert len(read.attention) == (6 if kind == "attention" else 0)
-    for name in ("weights", "biases", "attention"):
+    assert len(read.memory) == (4 if units else 0)
+    for name in ("weights", "biases", "memory"):
         for own, other in zip(getattr(whole, name), getattr(read, name), strict=True):
             assert own.tobytes() == other.tobytes() and own.shape == other.shape
 
@@ -111,9 +111,6 @@ def test_arrays_are_copied_and_cannot_be_written_to() -> None:
         ({"actions": "discrete", "squash": True}, "mirror and squash must be False where actions are discrete"),
         ({"at_once": 1}, "at_once must be True or False, got 1"),
         ({"normalise": {"mean": []}}, "normalise must be empty or a table of mean, deviation, limit"),
-        ({"kind": "recurrent"}, "kind must be one of slots, attention, got 'recurrent'"),
-        ({"attention": (ones(2, 2),)}, "attention of kind 'slots' must be a tuple without arrays, got 1 arrays"),
-        ({"attention": None}, "attention of kind 'slots' must be a tuple without arrays, got NoneType"),
         ({"activation": "gelu"}, "activation must be one of tanh, relu"),
         ({"mirror": 1}, "mirror must be True or False, got 1"),
         *(({"action_repeat": bad}, f"action_repeat must be 1 to 1000, got {bad}") for bad in (0, 1001, True, 2.0)),

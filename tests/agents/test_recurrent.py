@@ -23,7 +23,6 @@ from soccer_env.types import COMMAND
 from tests.agents.staged_policies import decide, random_policy, random_recurrent_policy, team_from_disk
 
 UNITS = 8
-both = pytest.mark.parametrize("attention", [False, True])
 
 
 def episode(policy: Policy, steps: int = 30, seed: int = 3) -> np.ndarray:
@@ -54,9 +53,8 @@ def test_the_state_is_that_of_torchs_gru_cell(units: int) -> None:
     assert np.std(decided[:, 0]) > 0.1 and (np.abs(decided) <= 1.0).all()
 
 
-@both
-def test_what_was_seen_before_counts_and_what_follows_does_not(attention: bool) -> None:
-    policy = random_recurrent_policy(16, units=UNITS, attention=attention)
+def test_what_was_seen_before_counts_and_what_follows_does_not() -> None:
+    policy = random_recurrent_policy(16, units=UNITS)
     rows = episode(policy)
     other = rows.copy()
     other[10] = episode(policy, seed=4)[10]
@@ -66,9 +64,8 @@ def test_what_was_seen_before_counts_and_what_follows_does_not(attention: bool) 
     assert not plain, "the same observation at the start of an episode asks for something else"
 
 
-@both
-def test_an_action_is_the_same_whatever_else_is_in_the_batch(attention: bool) -> None:
-    policy = random_recurrent_policy(16, units=UNITS, attention=attention, mirror=True)
+def test_an_action_is_the_same_whatever_else_is_in_the_batch() -> None:
+    policy = random_recurrent_policy(16, units=UNITS, mirror=True)
     seen = episode(policy, 5 * 17 * 3).reshape(5, 17, 3, -1)
     everybody = played(policy, seen, [0, 1, 2], 0, 17)
     alone = played(policy, seen[:, 11:12, 1:2].copy(), [0], 0, 1)
@@ -86,9 +83,8 @@ def played(policy: Policy, seen: np.ndarray, players: list[int], first: int, las
     return commands
 
 
-@both
-def test_a_mirror_policy_does_the_mirrored_for_mirrored_episodes_exactly(attention: bool) -> None:
-    policy = random_recurrent_policy(16, units=UNITS, attention=attention, mirror=True)
+def test_a_mirror_policy_does_the_mirrored_for_mirrored_episodes_exactly() -> None:
+    policy = random_recurrent_policy(16, units=UNITS, mirror=True)
     rows, signs = episode(policy), observation_signs(policy.entries).astype(np.float32)
     decided = decide(policy, rows)
     assert (decide(policy, rows * signs) == decided * action_signs(4)).all()
@@ -160,9 +156,8 @@ def test_a_save_with_a_state_out_of_range_is_refused() -> None:
         match_of(random_recurrent_policy(16, units=UNITS)).load(match.save())
 
 
-@both
-def test_a_file_returns_the_policy_and_only_one_with_a_memory_is_of_version_7(tmp_path: Path, attention: bool) -> None:
-    policy = random_recurrent_policy(16, units=UNITS, attention=attention)
+def test_a_file_returns_the_policy_and_only_one_with_a_memory_is_of_version_7(tmp_path: Path) -> None:
+    policy = random_recurrent_policy(16, units=UNITS)
     read = parse(data := dump(policy), "file")
     assert dump(read) == data and b'\\"version\\":7' in data and b'\\"version\\":3' in dump(random_policy())
     assert all((one == other).all() for one, other in zip(read.memory, policy.memory, strict=True))

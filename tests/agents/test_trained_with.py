@@ -73,7 +73,7 @@ def test_a_policy_that_observes_the_truth_is_said_to_need_ideal_senses(caplog: p
     (record,) = caplog.records
     assert record.name == LOG.name and "'knows' observes the truth" in record.message
     assert "--senses ideal" in record.message
-    shown = "observe='belief', actions='box': slots of 100 inputs, layers of 32, 4"
+    shown = "observe='belief', actions='box': 100 inputs, layers of 32, 4"
     assert repr(random_policy(32)) == f"Policy('lively', 'legged-2001', {shown})"
 
 
@@ -143,6 +143,7 @@ def test_a_bundled_policy_was_trained_by_its_recipe_by_rewards_alone(file: Path)
     assert (policy.name, policy.league, policy.observe) == (file.stem, settings.league, "belief")
     then = json.loads(policy.made["settings"])
     assert {name: then.pop(name) for name in IMITATION} == IMITATION, "by rewards alone"
+    assert then.pop("kind") == "slots"  # of then, too
     assert then == {name: getattr(settings, name) for name in then} | {"start": Path(settings.start).name}
     assert LEAST_STEPS * settings.steps <= int(policy.made["step"])
     assert file.stat().st_size < 1_000_000 and make_team(file.stem).name == file.stem

@@ -212,31 +212,19 @@ def test_a_ball_in_the_own_area_is_left_to_the_goalkeeper(team: str) -> None:
     assert defended.mean() < 0.1 and (events["touch"][:, :, 0] == 1).any(axis=0).mean() > 0.8
 
 
-def test_it_goes_to_a_ball_in_its_area_where_no_rule_forbids_it_unless_told_to_give_it_a_wide_berth() -> None:
+def test_it_goes_to_a_ball_in_its_area_where_no_rule_forbids_it() -> None:
     match = staged("chaser", rules="simple")
     place(match, ball=(-1.0, 0.4), robots={1: (-0.6, 0.3, np.pi), 0: (-1.3, -0.3, 0.0)})
     assert ever(match, 12.0, lambda: match.robot_events["touch"][:, 1] == 1) > 0.5
-    wide, usual = nearest_to_area("chaser:berth=0.2"), nearest_to_area("chaser")
-    assert np.median(wide) > np.median(usual) + 0.1
-
-
-def nearest_to_area(team: str) -> np.ndarray:
-    """Return how near [m] a field player comes to its own area (M,) that it was near when the ball lay before it."""
-    match = staged(team)
-    put(match, 1, -0.7, 0.2, np.pi)
-    put_ball(match, -0.9, 0.2)
-    match.balls["vx"] = -0.3
-    match.rebuild()
-    return record_each_step(match, lambda: match.robots["x"][:, 1] - EDGE, 10.0).min(axis=0)
 
 
 def test_settings_of_the_chaser_are_its_numbers_by_name() -> None:
-    assert set(make_team("chaser:berth=0.2,room=0.05").settings["berth"]) == {0.2}
-    with pytest.raises(ValueError, match="unknown setting of chaser 'bert', did you mean 'berth'"):
-        make_team("chaser:bert=0.2")
+    assert set(make_team("chaser:cover=0.2,room=0.05").settings["cover"]) == {0.2}
+    with pytest.raises(ValueError, match="unknown setting of chaser 'cove', did you mean 'cover'"):
+        make_team("chaser:cove=0.2")
     for value in ("far", "nan", "True"):
-        with pytest.raises(ValueError, match=f"berth of chaser must be a number, got '?{value}"):
-            make_team(f"chaser:berth={value}")
+        with pytest.raises(ValueError, match=f"cover of chaser must be a number, got '?{value}"):
+            make_team(f"chaser:cover={value}")
 
 
 def test_the_shortest_way_out_of_the_area_goes_through_its_front() -> None:

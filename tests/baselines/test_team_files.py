@@ -23,7 +23,7 @@ def policy(seed: int = 0, league: str = LEAGUE, **changes: str) -> Policy:
     inputs = tuple(entry_names(trained, "belief"))
     made = Policy(
         name="tiny", **training_fields(trained), observe="belief", inputs=inputs, actions="box", action_repeat=8,
-        kind="slots", activation="tanh", mirror=False, weights=(rng.normal(size=(4, len(inputs))).astype(np.float32),),
+        activation="tanh", mirror=False, weights=(rng.normal(size=(4, len(inputs))).astype(np.float32),),
         biases=(np.zeros(4, np.float32),), made={},
     )  # fmt: skip
     return replace(made, **changes)

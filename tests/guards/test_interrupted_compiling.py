@@ -211,7 +211,6 @@ INTERRUPTED = """
     match = until_done(lambda: Match(**settings))
     actions = np.random.default_rng(1).uniform(-1.0, 1.0, (1, settings["home"] + settings["away"], 4))
     for name, do in [
-        ("decide", unchanged(match.decide)),
         ("step", unchanged(lambda: match.step(actions))),
         ("reset", lambda: match.reset(seed=2)),
         ("step", unchanged(lambda: match.step(actions))),
@@ -240,7 +239,7 @@ def played(cache: Path, most: int) -> tuple[list[float], Any]:
 @pytest.mark.whole
 @pytest.mark.skipif(os.name != "posix", reason="sends itself a signal as a terminal does")
 def test_an_interrupt_ends_compiling_soon_and_the_match_plays_on(tmp_path: Path) -> None:
-    """The process begins with an empty cache and sends itself Ctrl-C while it makes a match, decides, steps, resets."""
+    """The process begins with an empty cache and sends itself Ctrl-C while it makes a match, steps, resets."""
     ended, hashes = played(tmp_path, most=8)
     assert len(ended) > 4, "hardly anything was interrupted"
     assert max(ended) < LIMIT, ended

@@ -64,7 +64,7 @@ def cut_short(match: Match, monkeypatch: pytest.MonkeyPatch) -> None:
         match.step(np.zeros((1, 2, 4)))
 
 
-@pytest.mark.parametrize("name", ["step", "save", "rebuild", "decide", "branch"])
+@pytest.mark.parametrize("name", ["step", "save", "rebuild", "branch"])
 def test_a_match_that_an_error_has_cut_short_asks_for_a_reset(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     match = Match(home=1, away=1, seed=1)
     saved = match.save()

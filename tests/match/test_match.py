@@ -48,18 +48,6 @@ def test_matches_end_by_the_clock_and_start_again_as_told(mode: str) -> None:
     assert ends == expected[mode]
 
 
-def test_decide_lets_teams_decide_and_leaves_learners_their_commands() -> None:
-    match = Match(home=1, away=1, seed=1, senses="ideal", opponents="chaser")
-    actions = np.full((1, 2, 4), 0.25)
-    match.step(actions)
-    commands = match.decide()
-    assert commands["forward"][0, 0] == commands["kick"][0, 0] == 0.25
-    same = Match(home=1, away=1, seed=1, senses="ideal", opponents="chaser")
-    same.step(actions)
-    same.decide()
-    assert match.state_hash() == same.state_hash()
-
-
 def test_a_robot_is_taken_from_its_team_and_given_back() -> None:
     def played(taken: range) -> tuple[Match, list[float]]:
         match = Match(home=2, away=1, seed=1, senses="ideal", controllers={"home": "chaser", "away": "chaser"})

@@ -53,7 +53,7 @@ class Moves:
         return np.asarray(view.stand())
 
 
-@pytest.mark.parametrize("name", ["step", "reset", "save", "load", "rebuild", "decide"])
+@pytest.mark.parametrize("name", ["step", "reset", "save", "load", "rebuild"])
 def test_a_second_thread_is_refused_and_the_first_goes_on(name: str) -> None:
     team = Asked()
     sides = ({"home": who, "away": "still"} for who in (team, Asked()))

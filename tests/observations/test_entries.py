@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
-from soccer_env.agents.attention import Layout, layout_of
 from soccer_env.leagues import find_league
 from soccer_env.observations import Entry, entries_named, layout
 from soccer_env.observations.entry import CAMERA, FIELD, NONE, ROBOT, SIDE, TEAM, TURN, X, Y, entries_dtype
@@ -106,7 +105,7 @@ class Own:
         return np.zeros((match.count, len(match.agents), len(match.observation_names)))
 
 
-def test_entries_of_ones_own_are_mirrored_and_attended_to() -> None:
+def test_entries_of_ones_own_are_mirrored() -> None:
     slots = [
         Entry(f"{name}_of_{kind}", frame=ROBOT, axis=axis, group=kind, slot=0, present=name == "there")
         for kind in ("teammate", "opponent")
@@ -117,16 +116,14 @@ def test_entries_of_ones_own_are_mirrored_and_attended_to() -> None:
     slotted = [f"{name}_of_{kind}" for kind in ("teammate", "opponent") for name in ("there", "left")]
     assert match.observation_names == ["ball", *slotted]
     assert observation_signs(entries).tolist() == [1.0, 1.0, -1.0, 1.0, -1.0]
-    assert layout_of(entries) == Layout(1, (1, 1), (2, 2))
+    assert [(entry.group, entry.slot) for entry in entries[1::2]] == [("teammate", 0), ("opponent", 0)]
 
 
-def test_names_alone_play_but_say_what_a_mirror_and_attention_miss() -> None:
+def test_names_alone_play_but_say_what_a_mirror_misses() -> None:
     match = Match(home=1, away=1, seed=1, observe=Own(names=("clock", "left")))
     match.step(np.zeros((1, 2, 4)))
     with pytest.raises(ValueError, match="a mirror needs to know the frame of every entry, and 'clock' says none"):
         observation_signs(match.observation_entries)
-    with pytest.raises(ValueError, match="kind 'attention' needs inputs that end in slots for other players"):
-        layout_of(match.observation_entries)
     with pytest.raises(ValueError, match="'line_0' would change places with another"):
         observation_signs(layout(find_league("middle-size-2006"), "percepts"))
 

@@ -58,7 +58,7 @@ def check_start(settings: TrainSettings, blank: Policy) -> None:
         return
     with name_setting_in_error("start"):
         policy = widened_policy(load(settings.start_file), blank.inputs)
-        for what in ("family", "control_rate", "observe", "action_repeat", "kind", "activation", "mirror"):
+        for what in ("family", "control_rate", "observe", "action_repeat", "activation", "mirror"):
             own, other = getattr(blank, what), getattr(policy, what)
             if own != other:
                 told = f"{what} is {short_repr(other)}, the run's {short_repr(own)}"

@@ -28,7 +28,7 @@ class Learner:
         (features,) = matches.observation_space.shape or (0,)
         self.network = SoccerPolicy(
             layout(self.league, settings.observe), features, hidden=settings.hidden_sizes,
-            critic=settings.critic_sizes, activation=settings.activation, mirror=settings.mirror, kind=settings.kind,
+            critic=settings.critic_sizes, activation=settings.activation, mirror=settings.mirror,
             noise=settings.noise, memory=settings.memory,
         ).to(device_of(settings.device))  # fmt: skip
         self.optimizer = make_optimizer(self.network, settings.learning_rate)

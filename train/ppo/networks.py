@@ -1,9 +1,9 @@
 """The actor and the critic that PPO trains, and the export of the actor to a policy file.
 
 The actor sees the robot's own observation; the critic sees this, optionally followed by the true state of the match
-(`state()`). With the kind "attention" other players are pooled before the actor's layers; the critic stays plain. With
-`mirror` the actor is the mean of a network and of its left-right mirror image: for a mirrored observation it returns
-exactly the mirrored action. Actions of an actor with a memory depend on earlier observations, too (`recurrent.py`).
+(`state()`). With `mirror` the actor is the mean of a network and of its left-right mirror image: for a mirrored
+observation it returns exactly the mirrored action. Actions of an actor with a memory depend on earlier observations,
+too (`recurrent.py`).
 """
 
 from collections.abc import Mapping, Sequence
@@ -14,8 +14,7 @@ import numpy as np
 import torch
 from torch import nn
 
-from soccer_env.agents.attention import Layout, attention_width, layout_of
-from soccer_env.agents.policy import Policy, training_fields
+from soccer_env.agents.policy import ACTIONS, Policy, training_fields
 from soccer_env.agents.recurrent import memory_shapes
 from soccer_env.leagues.league import League
 from soccer_env.observations import Entry
@@ -26,7 +25,6 @@ from soccer_env.train.ppo.settings import TrainSettings
 
 ACTIVATIONS = {"tanh": nn.Tanh, "relu": nn.ReLU}
 ACTION_GAIN = 0.01  # of the actor's last layer: an untrained actor stands still, but for the noise
-ABSENT = -1e38  # logit of an empty slot: below all that a policy may reach, and finite, for the gradient's sake
 
 
 def layers(sizes: Sequence[int], activation: str) -> nn.Sequential:
@@ -43,37 +41,6 @@ def linear(inputs: int, outputs: int, gain: float) -> nn.Linear:
     nn.init.orthogonal_(layer.weight, gain)
     nn.init.zeros_(layer.bias)
     return layer
-
-
-class Attention(nn.Module):
-    """The attention that pools other players in networks of kind "attention"; equations in `agents.attention`."""
-
-    def __init__(self, layout: Layout, width: int, activation: str) -> None:
-        super().__init__()
-        self.layout = layout
-        self.features = layout.features(width)
-        self.activation = ACTIVATIONS[activation]()
-        self.encoders = nn.ModuleList(nn.Linear(entries, width) for entries in layout.entries)
-        self.queries = nn.ModuleList(nn.Linear(layout.fixed, width, bias=False) for _ in layout.entries)
-
-    def forward(self, own: torch.Tensor) -> torch.Tensor:
-        """Return the fixed entries of an observation, followed by the pooled team-mates and opponents."""
-        layout = self.layout
-        sizes = [slots * entries for slots, entries in zip(layout.slots, layout.entries, strict=True)]
-        fixed, *players = torch.split(own, [layout.fixed, *sizes], dim=1)
-        pooled = [fixed]
-        for rows, entries, encoder, query in zip(players, layout.entries, self.encoders, self.queries, strict=True):
-            rows = rows.reshape(len(rows), -1, entries)
-            encoded, absent = self.activation(encoder(rows)), rows[..., 0] <= 0.0
-            logits = (encoded * query(fixed).unsqueeze(1)).sum(-1).masked_fill(absent, ABSENT)
-            weights = logits.softmax(1).masked_fill(absent, 0.0)
-            pooled.append((weights.unsqueeze(-1) * encoded).sum(1))
-        return torch.cat(pooled, dim=1)
-
-    def tensors(self) -> list[torch.Tensor]:
-        """Return the parameters, in the order of `attention.TENSORS`."""
-        pairs: Any = zip(self.encoders, self.queries, strict=True)
-        return [part for encoder, query in pairs for part in (encoder.weight, encoder.bias, query.weight)]
 
 
 class MirrorHead(nn.Module):
@@ -104,18 +71,14 @@ class SoccerPolicy(nn.Module):
 
     def __init__(
         self, entries: Sequence[Entry], features: int, actions: int = 4, *, hidden: Sequence[int] = (64, 64),
-        critic: Sequence[int] = (64, 64), activation: str = "tanh", mirror: bool = False, kind: str = "slots",
-        noise: float = 1.0, memory: int = 0,
+        critic: Sequence[int] = (64, 64), activation: str = "tanh", mirror: bool = False, noise: float = 1.0,
+        memory: int = 0,
     ) -> None:  # fmt: skip
         super().__init__()
-        self.entries, self.kind, self.activation, self.mirror = entries, kind, activation, mirror
+        self.entries, self.activation, self.mirror = entries, activation, mirror
         inputs = len(entries)
         signs = torch.tensor(observation_signs(entries), dtype=torch.float32) if mirror else None
         self.register_buffer("signs", signs, persistent=False)
-        self.attention = None
-        if kind == "attention":
-            self.attention = Attention(layout_of(entries), attention_width(hidden), activation)
-            inputs = self.attention.features
         self.memory = Memory(entries, inputs, memory) if memory else None
         self.policy_net = layers([inputs + memory, *hidden], activation)
         head = linear(hidden[-1], actions, ACTION_GAIN)
@@ -123,8 +86,7 @@ class SoccerPolicy(nn.Module):
         self.action_net: nn.Module = MirrorHead(head, action_mirror) if mirror else head
         self.critic_net = nn.Sequential(*layers([features, *critic], activation), linear(critic[-1], 1, 1.0))
         self.log_std = nn.Parameter(torch.full((actions,), float(np.log(noise))))
-        if kind == "slots":
-            self._ignore_players()
+        self._ignore_players()
 
     def _ignore_players(self) -> None:
         """Set the weights of all slots for other players to 0, from which training moves those that it fills.
@@ -133,7 +95,7 @@ class SoccerPolicy(nn.Module):
         larger team always, and before that by each ghost, a player who is not there.
         """
         players = [i for i, entry in enumerate(self.entries) if entry.slot is not None]
-        weights, _, _, memory = actor_tensors(self)
+        weights, _, memory = actor_tensors(self)
         with torch.no_grad():
             for part in (weights[0], *memory[:1]):
                 part[:, players] = 0.0
@@ -159,11 +121,10 @@ class SoccerPolicy(nn.Module):
         steps, rows = features.shape[:2]
         own = features[..., : len(self.entries)].flatten(0, 1)
         images = own if self.signs is None else torch.cat([own, own * self.signs])
-        read = self.attention(images) if self.attention else images
         states = self.no_states(rows) if states is None else states
         if self.memory:
-            read, states = self.memory(read, states, features, begins)
-        return self.action_net(self.policy_net(read)).view(steps, rows, -1), states
+            images, states = self.memory(images, states, features, begins)
+        return self.action_net(self.policy_net(images)).view(steps, rows, -1), states
 
     def values(self, features: torch.Tensor) -> torch.Tensor:
         """Return the critic's values (B,) of features (B, n)."""
@@ -172,7 +133,7 @@ class SoccerPolicy(nn.Module):
 
     def actor_parameters(self) -> list[nn.Parameter]:
         """Return the parameters of the actor alone, its exploration noise last."""
-        parts = [self.attention, self.memory, self.policy_net, self.action_net]
+        parts = [self.memory, self.policy_net, self.action_net]
         return [*(parameter for part in parts if part is not None for parameter in part.parameters()), self.log_std]
 
 
@@ -181,25 +142,24 @@ def export_policy(
     senses: str = "", pose: str = "",
 ) -> Policy:  # fmt: skip
     """Return the actor of a trained network as a Policy, to be written to a file."""
-    weights, biases, pooling, memory = (
+    weights, biases, memory = (
         tuple(part.detach().cpu().numpy().astype(np.float32) for part in parts) for parts in actor_tensors(network)
     )
     inputs, actions = tuple(entry.name for entry in network.entries), {4: "box", 7: "full"}[len(biases[-1])]
     return Policy(
         name=name, **training_fields(league), observe=observe, inputs=inputs, actions=actions,
-        action_repeat=action_repeat, kind=network.kind, activation=network.activation, mirror=network.mirror,
-        weights=weights, biases=biases, made=made, attention=pooling, senses=senses, pose=pose, memory=memory,
+        action_repeat=action_repeat, activation=network.activation, mirror=network.mirror,
+        weights=weights, biases=biases, made=made, senses=senses, pose=pose, memory=memory,
     )  # fmt: skip
 
 
 def actor_tensors(network: SoccerPolicy) -> tuple[list[torch.Tensor], ...]:
-    """Return the weights, biases, attention and memory tensors of an actor, in the order of `Policy`."""
+    """Return the weights, biases and memory tensors of an actor, in the order of `Policy`."""
     head = network.action_net.linear if isinstance(network.action_net, MirrorHead) else network.action_net
     linear: list[Any] = [part for part in network.policy_net if isinstance(part, nn.Linear)]
     linear.append(head)
-    attention, memory = network.attention, network.memory
-    parts = attention.tensors() if attention else [], memory.tensors() if memory else []
-    return [part.weight for part in linear], [part.bias for part in linear], *parts
+    memory = network.memory.tensors() if network.memory else []
+    return [part.weight for part in linear], [part.bias for part in linear], memory
 
 
 def widened_policy(policy: Policy, inputs: tuple[str, ...]) -> Policy:
@@ -210,25 +170,23 @@ def widened_policy(policy: Policy, inputs: tuple[str, ...]) -> Policy:
     missing = [name for name in policy.inputs if name not in inputs]
     if missing:
         raise ValueError(f"policy {policy.name!r} reads the entry {missing[0]!r}, which is not observed")
-    old = layout_of(policy.entries).fixed if policy.attention else len(policy.inputs)
-    new = old + len(inputs) - len(policy.inputs)
-    columns = [*map(inputs.index, policy.inputs[:old])]
+    old, new = len(policy.inputs), len(inputs)
+    columns = [*map(inputs.index, policy.inputs)]
 
     def widen(array: np.ndarray) -> np.ndarray:
         wide = np.zeros((len(array), new + array.shape[1] - old), np.float32)
         wide[:, columns], wide[:, new:] = array[:, :old], array[:, old:]
         return wide
 
-    attention = tuple(widen(part) if index % 3 == 2 else part for index, part in enumerate(policy.attention))  # Q
     memory = tuple(widen(part) if index == 0 else part for index, part in enumerate(policy.memory))
     weights = (widen(policy.weights[0]), *policy.weights[1:])
-    return replace(policy, inputs=inputs, weights=weights, attention=attention, memory=memory)
+    return replace(policy, inputs=inputs, weights=weights, memory=memory)
 
 
 def copy_actor(network: SoccerPolicy, policy: Policy) -> None:
     """Copy a policy's actor into a network, which may observe more; its noise and critic stay unchanged."""
     policy = widened_policy(policy, tuple(entry.name for entry in network.entries))
-    given = (policy.weights, policy.biases, policy.attention, policy.memory)
+    given = (policy.weights, policy.biases, policy.memory)
     with torch.no_grad():
         for parts, arrays in zip(actor_tensors(network), given, strict=True):
             for part, array in zip(parts, arrays, strict=True):
@@ -239,21 +197,13 @@ def blank_policy(settings: TrainSettings, league: League) -> Policy:
     """Return a policy of the shape that a run trains, with all weights 0, so that its robots stand still."""
     entries = entries_of(league, settings.observe)
     names = tuple(entry.name for entry in entries)
-    actions = 4
-    features = len(entries)
-    pooling: tuple[tuple[int, ...], ...] = ()
-    if settings.kind == "attention":
-        layout, width = layout_of(entries), attention_width(settings.hidden_sizes)
-        features, pooling = layout.features(width), layout.shapes(width)
-    remembering = memory_shapes(settings.memory, features) if settings.memory else ()
-    sizes = (features + settings.memory, *settings.hidden_sizes, actions)
+    remembering = memory_shapes(settings.memory, len(names)) if settings.memory else ()
+    sizes = (len(names) + settings.memory, *settings.hidden_sizes, ACTIONS["box"])
     shapes = list(zip(sizes[1:], sizes, strict=False))
     return Policy(
         name=settings.name, **training_fields(league), observe=settings.observe, inputs=names, actions="box",
         action_repeat=settings.action_repeat, activation=settings.activation, mirror=settings.mirror,
-        kind=settings.kind,
         weights=tuple(np.zeros(shape, np.float32) for shape in shapes),
         biases=tuple(np.zeros(out, np.float32) for out, _ in shapes), made={},
-        attention=tuple(np.zeros(shape, np.float32) for shape in pooling),
         memory=tuple(np.zeros(shape, np.float32) for shape in remembering), **settings.own_senses,
     )  # fmt: skip

@@ -97,8 +97,6 @@ class PlainSettings:
     too; "" to start from nothing."""
     critic_first: int = 3
     """Number of first rollouts in which only the critic learns: an untrained critic would spoil a trained actor."""
-    kind: Literal["slots", "attention"] = "slots"
-    """How the network takes in the other players: one slot of inputs each, or attention, which ignores their order."""
     memory: int = 0
     """Units of a recurrent memory (GRU) before the actor's layers, 0 to 128; 0 for none."""
     hidden: str = "64,64"

@@ -71,8 +71,6 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
             raise ValueError(
                 "mirror needs observe='belief' or 'truth', as turning signs round mirrors no picture: give --no-mirror"
             )
-        if self.kind == "attention" and self.observe == "percepts":
-            raise ValueError("kind='attention' needs observe='belief' or 'truth': pictures have no slots for players")
         if split_senses(self.senses)[0] != "ideal" and self.observe == "truth":
             raise ValueError(
                 "observe='truth' needs senses='ideal', as the policy will when it plays: give --senses ideal"

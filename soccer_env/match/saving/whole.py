@@ -11,9 +11,8 @@ from soccer_env.scenes import is_user_scene
 
 Match = Any  # soccer_env.match.match.Match, which stands above this file
 T = TypeVar("T")
-CHANGING = ("reset", "step", "decide", "load", "_take")  # methods that change records
+CHANGING = ("reset", "step", "load", "_take")  # methods that change records
 METHODS = (*CHANGING, "rebuild", "save", "branch")
-UNMOVED = ("step", "decide")  # methods that move the physics of a match only if its step or episode changes
 
 
 def guard_match_methods(kind: type[T]) -> type[T]:
@@ -24,7 +23,7 @@ def guard_match_methods(kind: type[T]) -> type[T]:
 def make_undo(match: Match, doing: str) -> GoBack | None:
     """Return a function that restores the present state of a match; None before the first reset.
 
-    Physics that has moved is rebuilt as by a load.
+    Physics that has moved is rebuilt as by a load; a step moves it only if a match's step or episode changes.
     """
     if match.batch.physics.spaces[0] is None:
         return None
@@ -35,7 +34,7 @@ def make_undo(match: Match, doing: str) -> GoBack | None:
 
     def go_back() -> None:
         record, old = arrays["matches"], before["matches"]
-        moved = (record["step"] != old["step"]) | (record["episode"] != old["episode"]) | (doing not in UNMOVED)
+        moved = (record["step"] != old["step"]) | (record["episode"] != old["episode"]) | (doing != "step")
         for name, values in before.items():
             arrays[name][...] = values
         match.ended, match.final = ended, final

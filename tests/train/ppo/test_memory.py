@@ -30,7 +30,6 @@ ENTRIES = layout(LEAGUE, "belief")
 NAMES = [entry.name for entry in ENTRIES]
 BALL, ACTIVE = NAMES.index("ball_x"), NAMES.index("active")
 REMEMBERING: dict[str, Any] = {"memory": 4}
-kinds = pytest.mark.parametrize("kind", ["slots", "attention"])
 mirrors = pytest.mark.parametrize("mirror", [False, True])
 
 
@@ -48,12 +47,9 @@ def episodes(steps: int, rows: int, seed: int = 3) -> np.ndarray:
     return seen
 
 
-@kinds
 @mirrors
-def test_a_file_decides_as_the_network_in_episodes_that_begin_and_robots_that_are_sent_off(
-    mirror: bool, kind: str
-) -> None:
-    made = network(mirror=mirror, kind=kind)
+def test_a_file_decides_as_the_network_in_episodes_that_begin_and_robots_that_are_sent_off(mirror: bool) -> None:
+    made = network(mirror=mirror)
     with torch.no_grad():
         for parameter in made.actor_parameters():
             parameter.normal_(0.0, 1.3 / parameter.shape[-1] ** 0.5)
@@ -72,10 +68,10 @@ def test_a_file_decides_as_the_network_in_episodes_that_begin_and_robots_that_ar
     assert np.std(actions) > 0.1
 
 
-@kinds
-def test_the_policy_before_training_has_the_shape_of_the_one_after(kind: str) -> None:
-    blank = blank_policy(TrainSettings(kind=kind, hidden="16", memory=8, mirror=False), LEAGUE)  # type: ignore[arg-type]
-    made = export_policy(network(kind=kind), name="t", league=LEAGUE, observe="belief", action_repeat=8, made={})
+@pytest.mark.parametrize("units", [0, 8])
+def test_the_policy_before_training_has_the_shape_of_the_one_after(units: int) -> None:
+    blank = blank_policy(TrainSettings(hidden="16", memory=units, mirror=False), LEAGUE)
+    made = export_policy(network(units), name="t", league=LEAGUE, observe="belief", action_repeat=8, made={})
     assert pack_policy(made).shape == pack_policy(blank).shape
     assert (decide(blank, episodes(5, 1)[:, 0]) == 0.0).all()
 

@@ -10,7 +10,7 @@ import pytest
 from soccer_env.agents.policy_file import load
 from soccer_env.leagues import find_league
 from soccer_env.observations import entry_names
-from tests.agents.staged_policies import decide, random_attention_policy, random_policy
+from tests.agents.staged_policies import decide, random_policy, random_recurrent_policy
 
 pytest.importorskip("stable_baselines3")
 
@@ -19,7 +19,7 @@ from soccer_env.train.ppo.networks import widened_policy
 from tests.train.ppo.staged_training import ROLLOUT, as_plain_values, tiny_settings, train_plainly, weights
 
 
-@pytest.mark.parametrize("change", [{}, {"kind": "attention", "mirror": False}])
+@pytest.mark.parametrize("change", [{}, {"memory": 4, "mirror": False}])
 def test_an_actor_may_begin_with_the_weights_of_a_policy_file(tmp_path: Path, change: dict[str, Any]) -> None:
     """As long as the critic learns alone they stay what they are in the file."""
     train_plainly(tiny_settings(tmp_path / "first", steps=3 * ROLLOUT, past=0, **change))
@@ -48,7 +48,7 @@ def test_a_run_may_go_on_with_actor_critic_and_noise_of_another_run(tmp_path: Pa
 CLOCKS = ("own_pushing", "own_holding", "own_penalty", "ball_still")
 
 
-@pytest.mark.parametrize("make", [random_policy, random_attention_policy])
+@pytest.mark.parametrize("make", [random_policy, random_recurrent_policy])
 def test_an_actor_of_fewer_inputs_begins_as_it_was_and_sees_the_new_ones_with_weight_0(make: Any) -> None:
     names = tuple(entry_names(find_league("legged-2001"), "belief"))
     old = make(16, mirror=True, inputs=tuple(name for name in names if name not in CLOCKS))
