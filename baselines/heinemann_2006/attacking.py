@@ -5,21 +5,21 @@
 
 from math import inf
 
-from soccer_env.baselines.chaser.attacking import (
-    DEFENDED,
-    approach,
-    ball_comes_to_me,
-    choose_aim,
-    free_stuck_ball,
-    receive_ball,
-    wants_to_shoot,
-)
 from soccer_env.baselines.heinemann_2006.dribbling import dribble, way_round
 from soccer_env.baselines.heinemann_2006.driving import drive_to
 from soccer_env.baselines.heinemann_2006.intercepting import meeting_time
 from soccer_env.baselines.heinemann_2006.passing import choose_pass, pass_strength
 from soccer_env.compiled import compiled
 from soccer_env.geometry import atan2, clip, length
+from soccer_env.skills.approaching import approach
+from soccer_env.skills.attacking import (
+    DEFENDED,
+    ball_comes_to_me,
+    choose_aim,
+    free_stuck_ball,
+    receive_ball,
+    wants_to_shoot,
+)
 from soccer_env.skills.carrying import is_pressed
 from soccer_env.skills.kicking import is_at_kicker
 from soccer_env.skills.moves import rotate_vector, shot_room

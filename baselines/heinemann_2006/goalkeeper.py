@@ -12,13 +12,13 @@
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from soccer_env.baselines.chaser.goalkeeping import clear_ball, may_clear
 from soccer_env.baselines.heinemann_2006.driving import command_velocity
 from soccer_env.baselines.heinemann_2006.intercepting import moving_time, rolling_time
 from soccer_env.baselines.heinemann_2006.settings import KEEPERS, STANCES
 from soccer_env.compiled import compiled
 from soccer_env.geometry import atan2, clip, length
 from soccer_env.leagues.robot import WHEELS_DIFFERENTIAL
+from soccer_env.skills.goalkeeping import clear_ball, may_clear
 from soccer_env.skills.moves import braking_speed, go
 
 ACTIVE, CIRCLE = KEEPERS["active"], STANCES["circle"]

@@ -6,9 +6,6 @@ ball: a path may end at a ring of robots, or a player may wait for an opponent t
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from soccer_env.baselines.chaser.attacking import ball_comes_to_me, receive_ball
-from soccer_env.baselines.chaser.supporting import support_point
-from soccer_env.baselines.chaser.team import time_stuck_ball
 from soccer_env.baselines.heinemann_2006.attacking import attack
 from soccer_env.baselines.heinemann_2006.driving import drive_to
 from soccer_env.baselines.heinemann_2006.goalkeeper import keep_goal
@@ -17,6 +14,7 @@ from soccer_env.baselines.heinemann_2006.passing import open_place, own_team_is_
 from soccer_env.baselines.heinemann_2006.roles import choose_role
 from soccer_env.compiled import compiled
 from soccer_env.geometry import atan2, clip, length
+from soccer_env.skills.attacking import ball_comes_to_me, receive_ball, time_stuck_ball
 from soccer_env.skills.deciding import PLAY, required_ball_distance
 from soccer_env.skills.searching import LOST, end_search, search_for_ball
 from soccer_env.skills.set_pieces import (
@@ -29,6 +27,7 @@ from soccer_env.skills.set_pieces import (
     waypoint_round_ball,
 )
 from soccer_env.skills.sight import side_of
+from soccer_env.skills.supporting import support_point
 
 SAME_TIME = 1e-6  # [s] less than a control step: sums of steps differ by rounding
 PATIENCE = 5.0  # [s] of standing, assumed

@@ -7,11 +7,11 @@ The shared skills read `skill.rank`: 0 attacks, 1 defends, 2 and on support in p
 `k`: the league's constants; `play`: the team's settings.
 """
 
-from soccer_env.baselines.chaser.team import path_length_to_ball
 from soccer_env.baselines.heinemann_2006.intercepting import meeting_time
 from soccer_env.baselines.heinemann_2006.memory import ATTACKER, DEFENDER, SUPPORTER
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
+from soccer_env.skills.supporting import path_length_to_ball
 
 ROLLS = 0.8  # [m/s] from which a ball is met where it rolls to, assumed
 MOUTH = 2.0  # [m] before the middle of the goal that a defender's place is reckoned from, assumed

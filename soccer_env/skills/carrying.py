@@ -1,4 +1,4 @@
-"""How the chaser turns with the ball and pushes it: as fast as paws or wheels can keep it, and as opponents allow.
+"""How a player turns with the ball and pushes it: as fast as paws or wheels can keep it, and as opponents allow.
 
 `k`: the league's constants; `play`: the team's settings.
 """

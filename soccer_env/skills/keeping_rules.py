@@ -1,4 +1,4 @@
-"""How the chaser's field players keep the legged league's rules: out of their own penalty area, and no shoving.
+"""How field players keep the legged league's rules: out of their own penalty area, and no shoving.
 
 Only the goalkeeper plays a ball in the own area: an attacker waits at the area's edge, and a player inside leaves it
 by the shortest way. A player that has walked into an opponent for nearly the allowed time steps back. The player

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from soccer_env.baselines.chaser.attacking import choose_side_round
-from soccer_env.baselines.chaser.team import MEMORY
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
+from soccer_env.skills.approaching import choose_side_round
+from soccer_env.skills.memory import MEMORY
 
 LEGGED = "legged-2001"
 RADIUS = 0.25  # [m] of the way round the ball

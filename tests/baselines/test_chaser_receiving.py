@@ -9,11 +9,12 @@ from math import cos, sin
 import numpy as np
 import pytest
 
-from soccer_env.baselines.chaser import attacking
-from soccer_env.baselines.chaser.attacking import GIVE_TIME, MEET, MET, PASSED, ball_comes_to_me, run_into_ball
 from soccer_env.baselines.chaser.team import MEMORY, team
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
+from soccer_env.skills import approaching
+from soccer_env.skills.approaching import GIVE_TIME, MEET, MET, PASSED, run_into_ball
+from soccer_env.skills.attacking import ball_comes_to_me
 from soccer_env.skills.carrying import PRESSED, SLOW, pushing_speed, turn_to_goal
 from soccer_env.skills.moves import BRAKE_SHARE, TURNING, turn_by
 from soccer_env.skills.sight import SIGHT
@@ -129,7 +130,7 @@ def test_a_ball_that_is_passed_is_approached_only_as_fast_as_the_gap_lets_brake(
     sight["touch"], sight["cosine"], sight["ball_vx"] = 0.29, 1.0, rolls
     sight["distance"] = sight["ball_x"] = 0.29 + PASSED + gap
     command["forward"], command["left"] = 1.0, 0.5
-    attacking.limit_closing_speed(command, sight, K, PLAY)
+    approaching.limit_closing_speed(command, sight, K, PLAY)
     most = min(gap / PLAY["settle"], np.sqrt(2.0 * BRAKE_SHARE * K["drive_acceleration"] * gap))
     assert command["forward"] * K["drive_forward"] == pytest.approx(min(K["drive_forward"], rolls + most))
     assert command["left"] == pytest.approx(0.5), "past the ball it is as fast as before"

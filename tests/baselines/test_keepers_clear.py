@@ -8,10 +8,11 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.baselines.chaser import team as chaser_team
-from soccer_env.baselines.chaser.attacking import DEFENDED, choose_aim, choose_inner_side
-from soccer_env.baselines.chaser.goalkeeping import bisect_shot_angle, may_clear
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
+from soccer_env.skills.approaching import choose_inner_side
+from soccer_env.skills.attacking import DEFENDED, choose_aim
+from soccer_env.skills.goalkeeping import bisect_shot_angle, may_clear
 from soccer_env.skills.keeping_rules import is_in_own_area, out_of_own_area
 from soccer_env.skills.sight import SIGHT
 from soccer_env.teams import make_team

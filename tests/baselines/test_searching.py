@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
-from soccer_env.baselines.chaser.glancing import KEEPER_ROOM, PHANTOM, ROOM, look_up
 from soccer_env.baselines.chaser.team import MEMORY, NUMBERS, team
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.optics.head_camera import share_of_tilt
 from soccer_env.records.beliefs import BELIEF
+from soccer_env.skills.glancing import KEEPER_ROOM, PHANTOM, ROOM, look_up
 from soccer_env.skills.searching import FULL_TURN, LOOKOUT, SEARCH, WATCH, search_for_ball, sweep_head
 from soccer_env.skills.sight import SIGHT
 from soccer_env.types import COMMAND

@@ -11,9 +11,10 @@ from dataclasses import replace
 from math import cos
 
 from soccer_env.baselines import chaser
-from soccer_env.baselines.chaser.attacking import MEET, approach, choose_aim
 from soccer_env.compiled import compiled
 from soccer_env.geometry import length
+from soccer_env.skills.approaching import MEET, approach
+from soccer_env.skills.attacking import choose_aim
 from soccer_env.skills.carrying import turn_to_goal
 from soccer_env.skills.kicking import is_at_kicker
 from soccer_env.skills.moves import TURN_COST, choose_shot, faces, lane_room, misalignment, stand

@@ -1,4 +1,4 @@
-"""The places of the chaser's supporters: behind the ball, spread out in pairs.
+"""Supporters: who supports whom, by the distance to the ball, and their places behind it, spread out in pairs.
 
 `k`: the league's constants; `play`: the team's settings.
 """
@@ -57,3 +57,28 @@ def offset_of_rank(memory, play, ring):
     pair = memory.rank // 2
     side = memory.side if memory.rank % 2 == 0 else -memory.side
     return play.back * (pair - 0.5), side * play.aside
+
+
+@compiled
+def path_length_to_ball(sight, play, x, y, vx, vy):
+    """Return the length [m] of a player's path to the point behind the ball, shortened if it runs towards the ball."""
+    ahead, left = sight.ball_x - x, sight.ball_y - y
+    away = max(length(ahead, left), 1e-6)
+    return away + play.wrong_side * max(-ahead / away, 0.0) - play.foresight * (vx * ahead + vy * left) / away
+
+
+@compiled
+def choose_rank(sight, memory, play):
+    """Update the player's rank, the number of field team-mates nearer to the ball, once a change has lasted."""
+    own = path_length_to_ball(sight, play, sight.x, sight.y, sight.vx, sight.vy)
+    rank = 0
+    for i in range(sight.others):
+        if sight.mate[i] == 1 and sight.field[i] == 1:
+            other = path_length_to_ball(
+                sight, play, sight.other_x[i], sight.other_y[i], sight.other_vx[i], sight.other_vy[i]
+            )
+            if other < own:
+                rank += 1
+    memory.rank_age = memory.rank_age + sight.elapsed if rank != memory.rank else 0.0
+    if memory.rank_age > play.rank_time or memory.patience == 0.0:
+        memory.rank, memory.rank_age = rank, 0.0

@@ -1,4 +1,4 @@
-"""Glances of the chaser from the ball up to the landmarks round the field, to correct its believed pose.
+"""Glances from the ball up to the landmarks round the field, to correct its believed pose.
 
 A head that follows the ball sees no landmark while the ball is near, and a robot that does not know which way it faces
 plays the ball anywhere. So a player that is unsure sweeps its head over the horizon for a moment on its way to the

@@ -1,134 +1,24 @@
-"""The attacker of the chaser: reach the ball, get behind it, turn it to the goal, shoot; free it when it is stuck.
+"""How a player gets to the ball: straight at it from behind, or round it first, with care for boards and its own goal.
 
 `k`: the league's constants; `play`: the team's settings.
 """
 
 from math import acos, sqrt
 
-from soccer_env.baselines.chaser.boards import free_ball_from_corner, is_ball_cornered, sweep_along_board
 from soccer_env.compiled import compiled
-from soccer_env.geometry import atan2, clip, into_frame, length, wrap
+from soccer_env.geometry import atan2, clip, into_frame, length
 from soccer_env.leagues.robot import WHEELS_OMNI
-from soccer_env.skills.carrying import SLOW, is_opposed, line_speed, turn_to_goal
-from soccer_env.skills.kicking import (
-    clearance_strength,
-    is_at_kicker,
-    is_blocked_ahead,
-    is_foiled,
-    kick_aside,
-    shot_side,
-    wants_to_clear,
-)
-from soccer_env.skills.moves import (
-    braking_speed,
-    choose_dribble_direction,
-    choose_shot,
-    clearing_direction,
-    go,
-    push,
-    rotate_vector,
-    shot_room,
-    turn_by,
-)
-from soccer_env.skills.set_pieces import kick_strength_for
+from soccer_env.skills.carrying import SLOW, is_opposed, line_speed
+from soccer_env.skills.moves import braking_speed, go, push, rotate_vector
 from soccer_env.skills.sight import predict_ball, side_of
 
 MEET = 1.0  # [m/s] at which a base that steps aside runs in at most, assumed
 MET = 0.3  # [m/s] of the ball and the robot towards each other when they meet, assumed
 GIVE_TIME = 0.35  # [s] in which a robot slows down to that, assumed
-RECEIVED = 0.35  # [m/s] at which a ball that comes is received, assumed
-RECEIVE_TIME = 1.5  # [s] before it comes, at most, assumed
-RECEIVE_ASIDE = 0.6  # [m] that it would pass beside the robot, at most, assumed
 PASSED = 0.03  # [m] kept between a robot and a ball that it goes round, assumed
 NEAR_BALL = 0.8  # [m] to the ball within which it meets the ball with care, assumed
-DEFENDED = 2.5  # [m] from the middle of the own goal within which the ball is played clear of it, assumed
 UPFIELD = ASIDE = sqrt(0.5)  # [1] way of a ball out of the mouth of the own goal: 45 degrees off its line, assumed
 ALONG_LINE = 0.8  # cosine of the angle off its way at which a ball before the own goal may be run at, assumed
-
-
-@compiled
-def attack(command, sight, memory, k, play):
-    """Bring the ball to the goal by the first applicable skill: free, turn, receive or approach it; then shoot."""
-    ux, uy = choose_aim(sight, k, play)
-    ux, uy = rotate_vector(ux, uy, memory.aim_error)
-    if memory.sweep > 0.0:
-        sweep_along_board(command, sight, memory, k)
-    elif is_ball_cornered(sight.ball_x, sight.ball_y, k):
-        free_ball_from_corner(command, sight, memory, k, play)
-    elif memory.wriggle > 0.0:
-        free_stuck_ball(command, sight, memory, k, play)
-    elif sight.held == 1:
-        turn_to_goal(command, sight, memory, k, play, ux, uy)
-    elif ball_comes_to_me(sight, k):
-        receive_ball(command, sight, k, play)
-    else:
-        approach(command, sight, memory, k, play, ux, uy, MEET)
-    foiled = play.plays_aside > 0.0 and is_foiled(sight, memory, k)
-    if not foiled and wants_to_shoot(sight, memory, k, play):
-        goal = length(0.5 * k.pitch_length - sight.ball_x, sight.ball_y)
-        command.kick = kick_strength_for(k, goal, play.arrival) if play.arrival > 0.0 else 1.0
-    elif shot_side(sight, k, play) != 0.0:
-        memory.kick_side, command.kick = shot_side(sight, k, play), 1.0
-    elif wants_to_clear(sight, k, play):
-        command.kick = clearance_strength(sight, k)
-    elif play.plays_aside > 0.0 and sight.held == 1 and (foiled or is_blocked_ahead(sight, k)):
-        kick_aside(command, sight, memory, k)
-
-
-@compiled
-def choose_aim(sight, k, play):
-    """Return the unit vector along which to play the ball: at the goal if the shot is free, else past the opponents.
-
-    A robot on wheels plays a ball near its own goal clear, never across the goal's mouth.
-    """
-    if k.walled == 0 and length(sight.ball_x + 0.5 * k.pitch_length, sight.ball_y) < DEFENDED:
-        return clearing_direction(sight, k)
-    if 0.5 * k.pitch_length - sight.ball_x < play.shot_range:
-        ux, uy, room = choose_shot(sight, k)
-        if room > play.room:
-            return ux, uy
-    return choose_dribble_direction(sight, k, play)
-
-
-@compiled
-def wants_to_shoot(sight, memory, k, play):
-    """Tell whether a kick now would send the ball between the posts, past the opponents."""
-    if not is_at_kicker(sight, play):
-        return False
-    if k.kicker_wind_up > 0.0 and sight.held == 0:
-        return False
-    ux, uy = rotate_vector(sight.now_cosine, sight.now_sine, memory.aim_error)
-    return 0.5 * k.pitch_length - sight.ball_x < play.shot_range and shot_room(sight, k, ux, uy) > play.room
-
-
-@compiled
-def ball_comes_to_me(sight, k):
-    """Tell whether the ball rolls towards a player that can move sideways and would bounce off that player."""
-    speed = length(sight.ball_vx, sight.ball_vy)
-    if k.drive_sideways <= 0.0 or k.walled == 1 or speed < RECEIVED:
-        return False
-    x, y = sight.x - sight.ball_x, sight.y - sight.ball_y
-    along = (x * sight.ball_vx + y * sight.ball_vy) / speed
-    across = abs(x * sight.ball_vy - y * sight.ball_vx) / speed
-    far = min(RECEIVE_TIME * speed, 0.5 * speed * speed / k.ball_rolling)
-    return 0.0 < along < far + sight.touch and across < RECEIVE_ASIDE
-
-
-@compiled
-def receive_ball(command, sight, k, play):
-    """Receive a rolling ball: face it, move sideways into its path, and back off so that the ball does not bounce."""
-    speed = length(sight.ball_vx, sight.ball_vy)
-    ux, uy = sight.ball_vx / speed, sight.ball_vy / speed
-    x, y = sight.ball_x - sight.x, sight.ball_y - sight.y
-    gap = max(-(ux * x + uy * y) - sight.touch, 0.0)
-    back = max(speed - MET - gap / GIVE_TIME, 0.0)
-    across = uy * x - ux * y  # of the ball's way, to the right of it
-    aside = clip(across / play.settle, -k.drive_sideways, k.drive_sideways)
-    vx, vy = back * ux + aside * uy, back * uy - aside * ux
-    size = max(length(vx, vy), 1e-6)
-    ahead, left = into_frame(vx / size, vy / size, sight.cosine, sight.sine)
-    push(command, sight, k, ahead, left, size)
-    turn_by(command, sight, k, play, wrap(atan2(-uy, -ux) - sight.heading))
 
 
 @compiled
@@ -283,10 +173,3 @@ def choose_inner_side(away_x, away_y, ux, uy, inner_x, inner_y):
     now = atan2(inner_x * away_y - inner_y * away_x, inner_x * away_x + inner_y * away_y)
     back = atan2(inner_y * ux - inner_x * uy, -inner_x * ux - inner_y * uy)
     return side_of(back - now)
-
-
-@compiled
-def free_stuck_ball(command, sight, memory, k, play):
-    """Free a stuck ball: push against it while turning at full rate towards the remembered side."""
-    push(command, sight, k, play.wriggle_ahead, 0.0, k.drive_forward)
-    command.turn = memory.wriggle_side * sight.pace

@@ -1,4 +1,4 @@
-"""The goalkeeper of the chaser: stand between ball and goal, meet shots on the line, clear a ball near the goal.
+"""The goalkeeper: stand between ball and goal, meet shots on the line, clear a ball near the goal.
 
 With a kicker it kicks the ball clear; without one, in the middle-size league, it clears by driving into the ball.
 
@@ -7,10 +7,10 @@ With a kicker it kicks the ball clear; without one, in the middle-size league, i
 
 from math import pi
 
-from soccer_env.baselines.chaser.attacking import approach
-from soccer_env.baselines.chaser.boards import is_ball_cornered
 from soccer_env.compiled import compiled
 from soccer_env.geometry import atan2, clip, into_frame, length
+from soccer_env.skills.approaching import approach
+from soccer_env.skills.boards import is_ball_cornered
 from soccer_env.skills.carrying import turn_to_goal
 from soccer_env.skills.keeping_rules import is_in_own_area
 from soccer_env.skills.kicking import BLOCKED, is_blocked, is_foiled, kick_aside
