@@ -42,5 +42,5 @@ def own_modules() -> Iterator[tuple[str, Path]]:
     """Yield (place in the zip, file) of each loaded module that is neither of this package nor installed."""
     for name in [*sys.modules]:
         path = source_file(name, "") if name.partition(".")[0] != PACKAGE and name not in NOT_SENT else None
-        if path is not None:
+        if path is not None and path.is_file():
             yield f"{name.replace('.', '/')}{'/__init__' * (path.stem == '__init__')}.py", path

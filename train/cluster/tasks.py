@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from typing import Any, TypeVar
 
@@ -40,7 +41,11 @@ class Tasks:
         return self
 
     def __exit__(self, *error: object) -> None:
-        for task in self._waiting:
+        self.cancel()
+
+    def cancel(self) -> None:
+        """Cancel all tasks that have not ended; those who wait for their results get ConnectionError."""
+        for task in list(self._waiting):
             self._ray.cancel(task, force=True)
 
     @property
@@ -51,8 +56,8 @@ class Tasks:
     def submit(self, function: Callable[..., T], calls: Sequence[tuple[Any, ...]], prepare: Any = None) -> Iterator[T]:
         """Submit a call of the function for each tuple of arguments; the iterator gives their results in order.
 
-        `prepare`: (function, arguments) that each node calls once before, to compile. If the work is stopped (Ctrl-C),
-        the iterator first gives all finished results.
+        `prepare`: (function, arguments) that each node calls once before, to compile. If the work is stopped (Ctrl-C)
+        or a task is given up, the iterator first gives all finished results.
         """
         pickled = [self._ray.cloudpickle.dumps((function, call)) for call in calls]
         first = b"" if prepare is None else self._ray.cloudpickle.dumps(prepare)
@@ -61,6 +66,16 @@ class Tasks:
         tasks = [task.remote(self._code, self._digest, facts, first, call) for call in pickled]
         self._waiting.update(tasks)
         return self._results(tasks)
+
+    def side_by_side(self, work: Callable[[Any], T], items: Sequence[Any]) -> list[T]:
+        """Call a function that submits tasks for all items at once, in threads; an error cancels the tasks of all."""
+        with ThreadPoolExecutor(len(items)) as pool:
+            jobs = [pool.submit(work, item) for item in items]
+            try:
+                return [job.result() for job in jobs]
+            except BaseException:
+                self.cancel()
+                raise
 
     @property
     def _variables(self) -> dict[str, str]:
@@ -76,7 +91,7 @@ class Tasks:
                     ready, waiting = self._ray.wait(waiting)
                     finished.update((one, self._result(one)) for one in ready)
                 yield finished.pop(task)
-        except KeyboardInterrupt:
+        except (KeyboardInterrupt, ConnectionError):
             yield from finished.values()
             raise
 
@@ -87,7 +102,7 @@ class Tasks:
         try:
             return self._ray.get(task)
         except errors.RayTaskError as error:
-            raise error.cause from error
+            raise (error.cause or error) from error
         except errors.RayError as error:
             tried = f"a task was given up after {TRIES + 1} tries: {error}"
             raise ConnectionError(f"{tried}; finished results are kept, and the same command goes on") from error

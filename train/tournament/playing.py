@@ -113,15 +113,21 @@ def play_rounds(
     rounds: list[list[Pairing]] = []
     opened: dict[str, Opened] = {}
     names, pairings = settings.names, count_matches(settings) // settings.matches
+
+    def play_pair(pair: tuple[int, int]) -> Pairing:
+        first, second = pair
+        contest, folder = open_evaluation(settings.pairing(first, second), league, teams)
+        name = pairing_folder(first, second, names[first], names[second])
+        opened[name] = contest, folder
+        bar.rename(f"pairing {len(opened)} of {pairings}, {names[first]} against {names[second]}")
+        result = play_evaluation(contest, folder, workers, bar)
+        return Pairing(len(rounds) + 1, first, second, result, name)
+
     while pairs := next_round(settings.system, len(names), settings.swiss_rounds, scores_of(rounds)):
-        rounds.append([])
-        for first, second in pairs:
-            contest, folder = open_evaluation(settings.pairing(first, second), league, teams)
-            name = pairing_folder(first, second, names[first], names[second])
-            opened[name] = contest, folder
-            bar.rename(f"pairing {len(opened)} of {pairings}, {names[first]} against {names[second]}")
-            result = play_evaluation(contest, folder, workers, bar)
-            rounds[-1].append(Pairing(len(rounds), first, second, result, name))
+        if isinstance(workers, int):
+            rounds.append([*map(play_pair, pairs)])
+        else:  # a round's pairings at once, so that none waits for the last block of another
+            rounds.append(workers.side_by_side(play_pair, pairs))
     return rounds, opened
 
 
