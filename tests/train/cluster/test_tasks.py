@@ -30,15 +30,18 @@ class Nodes:
         from ray.cluster_utils import Cluster
 
         self.cluster = Cluster(initialize_head=True, head_node_args=self.core)
-        self.other = self.cluster.add_node(**self.core)
         self.address = self.cluster.address
+        self.add_other()
 
     core = {"num_cpus": 1, "object_store_memory": 100 << 20, "include_dashboard": False}
 
-    def kill_other(self) -> None:
-        """Kill the other node without a farewell, and start a new one."""
-        self.cluster.remove_node(self.other, allow_graceful=False)
+    def add_other(self) -> None:
+        """Start the other node."""
         self.other = self.cluster.add_node(**self.core)
+
+    def kill_other(self) -> None:
+        """Kill the other node without a farewell."""
+        self.cluster.remove_node(self.other, allow_graceful=False)
 
 
 @pytest.fixture(scope="module")
@@ -90,6 +93,8 @@ def test_the_death_of_a_worker_or_a_node_changes_no_byte(nodes: Nodes, tmp_path:
     evaluate(there, teams={"victim": Victim(tmp_path, nodes.other.node_id)})
     thread.join(timeout=victims.LONG)
     assert (tmp_path / "pid").exists() and not thread.is_alive()
+    if dying == "node":
+        nodes.add_other()
     assert files_of(tmp_path / "here") == files_of(tmp_path / "there")
 
 
