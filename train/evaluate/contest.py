@@ -117,7 +117,7 @@ def play_matches(
     if isinstance(workers, int):
         play_batches(contest, batches(matches, done, workers), settings, workers, take, advance)
         return
-    calls = [(contest, batch, settings) for batch in batches(matches, done, workers.cores)]
+    calls = [(contest, block, settings) for block in split_batches([*batches(matches, done, 1)], workers.cores)]
     for lines in workers.submit(play_alone, calls, prepare=(compile_contest, (contest,))):
         take(lines)
         advance(sum(line.steps for line in lines))
@@ -162,6 +162,14 @@ def batches(matches: int, done: set[int], threads: int) -> Iterator[list[int]]:
             batch = [match for match in range(first + side, min(first + 2 * size, matches), 2) if match not in done]
             if batch:
                 yield batch
+
+
+def split_batches(batches: Sequence[list[int]], count: int) -> Iterator[list[int]]:
+    """Yield the batches, split evenly where they are fewer than `count`; no match changes its place in their order."""
+    parts = -(-count // max(len(batches), 1))
+    for batch in batches:
+        size = -(-len(batch) // parts)
+        yield from (batch[first : first + size] for first in range(0, len(batch), size))
 
 
 def play(

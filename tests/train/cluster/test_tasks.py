@@ -78,9 +78,13 @@ def files_of(folder: Path) -> dict[str, bytes]:
     return {str(path.relative_to(folder)): path.read_bytes() for path in paths}
 
 
-def test_an_evaluation_on_a_cluster_writes_the_bytes_of_a_local_one(nodes: Nodes, tmp_path: Path) -> None:
-    for name, more in {"here": {"threads": 2}, "there": {"ray": nodes.address}}.items():
-        evaluate(EvaluateSettings(away="learned", home="chaser", out=tmp_path / name, **{**SHORT, **more}))
+@pytest.mark.parametrize("cores", [2, 5])
+def test_an_evaluation_on_any_number_of_cores_writes_the_bytes_of_a_local_one(
+    nodes: Nodes, tmp_path: Path, cores: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(Tasks, "cores", cores)
+    for name, ray in (("here", None), ("there", nodes.address)):
+        evaluate(EvaluateSettings(home="chaser", away="learned", ray=ray, out=tmp_path / name, **SHORT))
     assert files_of(tmp_path / "here") == files_of(tmp_path / "there") != {}
 
 
@@ -115,7 +119,7 @@ def test_claims_and_drills_on_a_cluster_have_the_results_of_local_ones(nodes: No
         reproduce(ReproduceSettings(claims=("S15", "S20"), quick=True, seeds=(1,), ray=ray, out=tmp_path / name))
     here, there = ((tmp_path / name / "results.json").read_bytes() for name in ("here", "there"))
     assert here == there
-    drill = {"scene": "open-goal", "home": "chaser,still", "matches": 4}
+    drill = {"scene": "empty-goal", "home": "chaser,still", "matches": 4}
     assert evaluate_drills(EvaluateSettings(**drill)) == evaluate_drills(EvaluateSettings(**drill, ray=nodes.address))
 
 
