@@ -2,6 +2,7 @@
 
 command/             the command line: its words, lists and windows
 evaluate/            contests between two teams, recordings, selected replays
+cluster/             the work of a command as tasks on a Ray cluster
 tournament/          teams ranked by playing each other
 report/              charts, and the HTML pages that show them
 ppo/                 train a policy                        papers/   measure the claims of the papers

@@ -3,17 +3,20 @@
 Shared by `soccer evaluate`, `record`, `watch`, `reproduce` and `train`.
 """
 
+import re
 import shlex
 from collections.abc import Collection
-from dataclasses import fields
-from typing import Any
+from dataclasses import fields, replace
+from typing import Any, TypeVar
 
 from soccer_env.guards.checking import FROM_ZERO, CheckedFields, Range, raise_not_allowed
 from soccer_env.match.arguments import Pose
 from soccer_env.types import MAX_TEAM
 
+T = TypeVar("T")
 SENSES = ("ideal", "sensors")
 SENSING = "sensors"  # a team that is not named
+ADDRESS = re.compile(r"local|auto|[\w.-]+:\d+")  # of a Ray cluster
 POSES: tuple[Pose, ...] = ("particles", "percept")  # the first of an evaluation
 
 
@@ -22,6 +25,23 @@ class CommandSettings(CheckedFields):
 
     TITLED = False
     BOUNDS = {"seed": FROM_ZERO, "threads": Range(1)}
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        ray = getattr(self, "ray", None)
+        if ray is not None and not ADDRESS.fullmatch(ray):
+            raise_not_allowed("ray", "local, auto or HOST:PORT", ray)
+        if ray is not None and getattr(self, "threads", 1) != 1:
+            raise ValueError("threads does not go with ray, which uses the cores of the cluster")
+
+
+def with_ray(settings: T, address: str | None) -> T:
+    """Return settings with a Ray cluster in place of threads; unchanged without an address."""
+    if not address:
+        return settings
+    here: Any = settings
+    changed: T = replace(here, threads=1, ray=address)
+    return changed
 
 
 def split_players(players: int | str | None, default: int) -> tuple[int, int]:

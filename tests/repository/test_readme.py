@@ -29,6 +29,7 @@ PAGES = (
     "soccer_env/scenes/README.md",
     "baselines/README.md", "baselines/heinemann_2006/README.md", "baselines/sacks_2001/README.md",
     "baselines/weigel_2001/README.md", "agents/policies/README.md", "train/README.md", "train/MEASURED.md",
+    "train/CLUSTER.md",
 )  # fmt: skip
 TUTORIALS = ("train/FROM_ZERO.md", "train/WATCH_AND_PLOT.md", "train/TRAIN_AND_RANK.md")  # run as notebooks
 OTHERS = ("CHANGELOG.md", "soccer_env/REFERENCES.md", *TUTORIALS)  # linked

@@ -39,6 +39,8 @@ def read_settings(kind: type[T], words: list[str], name: str, default: T | None 
 
     from soccer_env.train.command.left_out import REGISTRY
 
+    words = fill_flag(words, "--ray", "local")
+
     def raise_parse_error(event: Any) -> None:
         raise ValueError(f"{describe_error(event, kind, words, default is not None)} (see soccer {name} --help)")
 
@@ -169,6 +171,14 @@ def flatten_descriptions(script: str) -> str:
         if "COMPLETION_SPEC = {" in line:
             lines[at] = line.replace("\\\\n", " ").replace("\\n", " ")
     return "\n".join(lines)
+
+
+def fill_flag(words: list[str], flag: str, value: str) -> list[str]:
+    """Return the words with a value after a flag that stands at the end or before another option."""
+    for at in reversed(range(len(words))):
+        if words[at] == flag and (at + 1 == len(words) or words[at + 1].startswith("-")):
+            words = [*words[: at + 1], value, *words[at + 1 :]]
+    return words
 
 
 def take_out_flag(words: list[str], flag: str) -> tuple[str, list[str]]:

@@ -22,6 +22,7 @@ from soccer_env.scenes import find_scene
 from soccer_env.statistics.maps import maps_of_team
 from soccer_env.teams import CompiledTeam, ObservingTeam, Team, is_module_team, make_team, registered_teams
 from soccer_env.teams.function_teams import FunctionTeam
+from soccer_env.train.cluster import Workers
 from soccer_env.train.evaluate.results import MatchLine
 from soccer_env.train.evaluate.settings import ALL, SIDES, Conditions, EvaluateSettings
 from soccer_env.train.evaluate.statistics import match_statistics
@@ -103,16 +104,35 @@ def team_or_name(name: str, teams: Mapping[str, Team]) -> str | Team:
 
 
 def play_matches(
-    contest: Contest, done: set[int], settings: str, threads: int,
+    contest: Contest, done: set[int], settings: str, workers: Workers,
     take: Callable[[list[MatchLine]], None], advance: Callable[[float], None],
 ) -> None:  # fmt: skip
     """Play all matches whose numbers are not in `done`; `take` is called with the lines of each batch, in order.
 
-    Each thread plays its own batch. Batches of Python teams run one after another, because two threads may not call a
-    team at once. Every thread calls `advance` with the number of control steps that it has played, over all matches.
+    Each thread, or task on a cluster, plays its own batch. In threads, batches of Python teams run one after another,
+    because two threads may not call a team at once. `advance` is called with the number of control steps played, over
+    all matches: by every thread, or for each batch that a task has finished.
     """
-    conditions = contest.conditions
-    play_batches(contest, batches(conditions.matches, done, threads), settings, threads, take, advance)
+    matches = contest.conditions.matches
+    if isinstance(workers, int):
+        play_batches(contest, batches(matches, done, workers), settings, workers, take, advance)
+        return
+    calls = [(contest, block, settings) for block in split_batches([*batches(matches, done, 1)], workers.cores)]
+    for lines in workers.submit(play_alone, calls, prepare=(compile_contest, (contest,))):
+        take(lines)
+        advance(sum(line.steps for line in lines))
+
+
+def play_alone(contest: Contest, batch: Sequence[int], settings: str) -> list[MatchLine]:
+    """Play a batch of matches to the end on one core, and return their lines."""
+    return play(contest, batch, settings, 1, lambda steps: None, Event())
+
+
+def compile_contest(contest: Contest) -> None:
+    """Play one step of a contest's first match, which compiles everything that its matches need."""
+    match = contest.start("home", contest.seeds[:1])
+    match.step(None)
+    match.close()
 
 
 def play_batches(
@@ -142,6 +162,14 @@ def batches(matches: int, done: set[int], threads: int) -> Iterator[list[int]]:
             batch = [match for match in range(first + side, min(first + 2 * size, matches), 2) if match not in done]
             if batch:
                 yield batch
+
+
+def split_batches(batches: Sequence[list[int]], count: int) -> Iterator[list[int]]:
+    """Yield the batches, split evenly where they are fewer than `count`; no match changes its place in their order."""
+    parts = -(-count // max(len(batches), 1))
+    for batch in batches:
+        size = -(-len(batch) // parts)
+        yield from (batch[first : first + size] for first in range(0, len(batch), size))
 
 
 def play(

@@ -5,6 +5,7 @@
 
 from collections.abc import Iterator, Mapping
 from dataclasses import asdict, dataclass, fields, replace
+from itertools import starmap
 from math import isfinite
 from typing import Any
 
@@ -16,6 +17,7 @@ from soccer_env.match import Match
 from soccer_env.scenes import SCENES, Scene, find_scene
 from soccer_env.teams import Team
 from soccer_env.train.casting import SAVES, STILL, controllers_of, sizes_of
+from soccer_env.train.cluster import open_workers
 from soccer_env.train.evaluate.contest import Contest, check_training_conditions, team_or_name
 from soccer_env.train.evaluate.settings import ALL, EvaluateSettings, conditions_of
 from soccer_env.train.progress import Progress
@@ -23,7 +25,9 @@ from soccer_env.train.statistics import Interval, wilson_interval
 from soccer_env.train.written_settings import split_distinct_names
 
 SEED = 1
-USED = {"league", "scene", "home", "matches", "seed", "threads", "senses", "pose", "rules", "json"}  # options of drills
+USED = {  # options of drills
+    "league", "scene", "home", "matches", "seed", "threads", "ray", "senses", "pose", "rules", "json",
+}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -99,19 +103,30 @@ def evaluate_drills(
     scenes = chosen_drills(settings.scene, league)
     names = split_distinct_names("home", settings.home)
     contests = [contest_for_drills(replace(settings, home=name), league, teams or {}) for name in names]
-    rules = {} if settings.rules == EvaluateSettings.rules else {"rules": settings.rules}
+    runs = [(scene, contest, settings) for scene in scenes for contest in contests]
     results = []
-    with Progress(f"{len(scenes)} drills", len(scenes) * len(names)) as bar:
-        for scene in scenes:
-            for name, contest in zip(names, contests, strict=True):
-                successes = run_drill(
-                    league, scene, contest.first, settings.matches, settings.seed, settings.threads,
-                    senses=contest.conditions.senses, pose=contest.conditions.pose, **rules,
-                )  # fmt: skip
-                told = rules.get("rules", scene.rules)
-                results.append(DrillResult(league.name, scene.name, told, name, settings.matches, successes))
-                bar.advance(1)
+    with Progress(f"{len(scenes)} drills", len(runs)) as bar, open_workers(settings.threads, settings.ray) as workers:
+        counts = starmap(play_drill, runs) if isinstance(workers, int) else workers.submit(play_drill, runs)
+        for (scene, contest, _), successes in zip(runs, counts, strict=True):
+            told = {"rules": scene.rules, **rules_of(settings)}["rules"]
+            team = contest.conditions.home
+            results.append(DrillResult(league.name, scene.name, told, team, settings.matches, successes))
+            bar.advance(1)
     return results
+
+
+def play_drill(scene: Scene, contest: Contest, settings: EvaluateSettings) -> int:
+    """Return the number of successes of a contest's first team in a drill."""
+    conditions = contest.conditions
+    return run_drill(
+        contest.league, scene, contest.first, settings.matches, settings.seed, settings.threads,
+        senses=conditions.senses, pose=conditions.pose, **rules_of(settings),
+    )  # fmt: skip
+
+
+def rules_of(settings: EvaluateSettings) -> dict[str, str]:
+    """Return the rules that the settings choose for a drill; {} leaves the drill its own."""
+    return {} if settings.rules == EvaluateSettings.rules else {"rules": settings.rules}
 
 
 def contest_for_drills(settings: EvaluateSettings, league: League, teams: Mapping[str, Team]) -> Contest:

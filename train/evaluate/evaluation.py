@@ -16,6 +16,7 @@ from soccer_env.leagues.league import League
 from soccer_env.match import Match
 from soccer_env.scenes import scene_names
 from soccer_env.teams import Team
+from soccer_env.train.cluster import Workers, open_workers
 from soccer_env.train.evaluate.contest import (
     Contest,
     check_training_conditions,
@@ -50,8 +51,9 @@ def evaluate(
     """
     contest, folder = open_evaluation(settings, league, teams or {})
     conditions = contest.conditions
-    with Progress(f"{conditions.home} against {conditions.away}", conditions.matches * steps_of_match(contest)) as bar:
-        result = play_evaluation(contest, folder, settings.threads, bar)
+    title, steps = f"{conditions.home} against {conditions.away}", conditions.matches * steps_of_match(contest)
+    with Progress(title, steps) as bar, open_workers(settings.threads, settings.ray) as workers:
+        result = play_evaluation(contest, folder, workers, bar)
     write_reports(contest, folder, result, Keep(settings.keep, settings.keep_pages))
     if settings.picture:
         draw_first_match(contest, folder, result)
@@ -90,9 +92,9 @@ def open_evaluation(
     return contest, ResultsFolder(settings.out, EVALUATION, asdict(contest.conditions), made, about, settings.anew)
 
 
-def play_evaluation(contest: Contest, folder: ResultsFolder, threads: int, progress: Progress) -> EvaluationResult:
+def play_evaluation(contest: Contest, folder: ResultsFolder, workers: Workers, progress: Progress) -> EvaluationResult:
     """Play the matches that are missing in the folder; return the result of all matches."""
-    lines = play_missing_matches(contest, folder, threads, progress)
+    lines = play_missing_matches(contest, folder, workers, progress)
     result = summarise(contest.conditions, folder.made_with, lines, contest.league.pitch)
     return replace(result, trained=training_notes(contest))
 
@@ -119,7 +121,9 @@ def training_notes(contest: Contest) -> dict[str, str]:
     return notes
 
 
-def play_missing_matches(contest: Contest, folder: ResultsFolder, threads: int, progress: Progress) -> list[MatchLine]:
+def play_missing_matches(
+    contest: Contest, folder: ResultsFolder, workers: Workers, progress: Progress
+) -> list[MatchLine]:
     """Play every match that is missing in the folder; return the result lines of all matches."""
     conditions = contest.conditions
     lines = list(folder.results(MATCHES, MatchLine, "match").values())
@@ -133,7 +137,7 @@ def play_missing_matches(contest: Contest, folder: ResultsFolder, threads: int, 
         lines.extend(batch)
         progress.note(f"{len(lines)} of {conditions.matches} matches")
 
-    play_matches(contest, done, folder.settings, threads, take, progress.advance)
+    play_matches(contest, done, folder.settings, workers, take, progress.advance)
     return lines
 
 

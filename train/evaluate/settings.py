@@ -70,6 +70,9 @@ class EvaluateSettings(CommandSettings):
     """Seed of the evaluation, 0 or more; the seeds of all matches follow from it."""
     threads: int = 1
     """Number of threads; the result does not depend on it."""
+    ray: str | None = None
+    """Play on a Ray cluster: --ray alone starts one on this machine, auto or HOST:PORT joins one. Its cores replace
+    --threads, and the result does not depend on it."""
     senses: str | None = None
     """What fills the teams' beliefs: sensors, or ideal (the truth); home=ideal,away=sensors for one each. Leave out for
     sensors; a policy that was trained with other senses is then refused."""

@@ -9,13 +9,14 @@ because most of a claim's time is spent in Python.
 import json
 from collections.abc import Mapping, Sequence
 
+from soccer_env.train.cluster import open_workers
 from soccer_env.train.papers.claim import Claim
 from soccer_env.train.papers.claims import all_claims, find_claims
 from soccer_env.train.papers.examination import examine
 from soccer_env.train.papers.report import markdown, page_of
 from soccer_env.train.papers.results import CLAIMS, REPRODUCTION, ClaimResult, plot_name, stored_results
 from soccer_env.train.papers.settings import ReproduceSettings, command_of
-from soccer_env.train.papers.workers import examine_in_processes
+from soccer_env.train.papers.workers import examine_in_processes, examine_in_tasks
 from soccer_env.train.progress import Progress
 from soccer_env.train.provenance import LIBRARIES, date_and_commit, digest, module_hash, play_facts, version_of
 from soccer_env.train.report import MISSING, can_draw, draw_curves
@@ -32,6 +33,8 @@ def reproduce(settings: ReproduceSettings, *, known: Mapping[str, Claim] | None 
     if settings.stored:
         return stored_results(settings.claims)
     ours = known is None
+    if settings.ray is not None and not ours:
+        raise ValueError("ray measures the claims of the package alone: other claims may be functions of this process")
     known = all_claims() if known is None else known
     claims = find_claims(settings.claims or [claim.id for claim in known.values() if not claim.study], known)
     conditions = {
@@ -71,12 +74,16 @@ def measure_missing(
     missing = [claim for claim in claims if claim.id not in done]
     caps = {claim.id: settings.cap(claim.batches, claim.quick, claim.seconds, len(claims)) for claim in missing}
     work = {claim.id: caps[claim.id] * claim.seconds * len(settings.seeds) for claim in missing}
-    with Progress("reproduce", sum(work.values())) as progress:
-        if ours and settings.threads > 1 and len(missing) > 1:
-            longest_first = {name: caps[name] for name in sorted(caps, key=lambda name: -work[name])}
-            found = examine_in_processes(
-                longest_first, settings, folder.settings, lambda name: progress.advance(work[name])
-            )
+    longest_first = {name: caps[name] for name in sorted(caps, key=lambda name: -work[name])}
+    with (
+        Progress("reproduce", sum(work.values())) as progress,
+        open_workers(settings.threads, settings.ray) as workers,
+    ):
+        run = (longest_first, settings, folder.settings, lambda name: progress.advance(work[name]))
+        if not isinstance(workers, int):
+            found = examine_in_tasks(workers, *run)
+        elif ours and workers > 1 and len(missing) > 1:
+            found = examine_in_processes(*run)
         else:
             advance = progress.advance
             found = (examine(claim, settings, caps[claim.id], folder.settings, advance) for claim in missing)

@@ -49,6 +49,9 @@ class ReproduceSettings(CommandSettings):
     threads: int = 1
     """Number of cores: several claims run in parallel processes, a single claim in threads. The results do not depend
     on it."""
+    ray: str | None = None
+    """Measure on a Ray cluster, a claim in each task: --ray alone starts one on this machine, auto or HOST:PORT joins
+    one. Its cores replace --threads, and the results do not depend on it."""
     out: Path | None = None
     """Folder for claims.jsonl, results.json, report.md and plots; leave out to write no files."""
     anew: bool = False
@@ -103,5 +106,6 @@ def command_of(settings: ReproduceSettings, claim: str = "") -> str:
     words += ["--seeds", *(f"{seed}" for seed in settings.seeds)] if settings.seeds != settings.usual_seeds else []
     if not claim:
         words += ["--threads", f"{settings.threads}"] if settings.threads != 1 else []
+        words += ["--ray", settings.ray] if settings.ray is not None else []
         words += ["--out", str(settings.out)] if settings.out is not None else []
     return shlex.join(words)

@@ -1,4 +1,4 @@
-"""Processes that share the claims of a run: each measures one claim after another, on one core.
+"""Processes, or tasks on a cluster, that share the claims of a run: each measures one claim after another, on one core.
 
     python -m soccer_env.train.papers.workers     the program of a worker, which reads requests line by line
 
@@ -17,6 +17,8 @@ from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import asdict
 from typing import Any
 
+from soccer_env.match import Match
+from soccer_env.train.cluster import Tasks
 from soccer_env.train.papers.claims import all_claims
 from soccer_env.train.papers.examination import examine
 from soccer_env.train.papers.results import ClaimResult
@@ -56,6 +58,28 @@ def examine_in_processes(
                 pass
 
 
+def examine_in_tasks(
+    tasks: Tasks, caps: Mapping[str, int], settings: ReproduceSettings, settings_hash: str,
+    finished: Callable[[str], None],
+) -> Iterator[ClaimResult]:  # fmt: skip
+    """Yield results in the order of `caps`, as `examine_in_processes` does, but from tasks on a cluster."""
+    calls = [(as_json(settings), settings_hash, claim, cap) for claim, cap in caps.items()]
+    for result in tasks.submit(examine_by_id, calls, prepare=(compile_matches, ())):
+        finished(result.id)
+        yield result
+
+
+def compile_matches() -> None:
+    """Play one step of a match of each league, which compiles most of what claims need."""
+    for league, team in (("legged-2001", "sacks-2001"), ("middle-size-2006", "heinemann-2006")):
+        Match(league, home=2, away=2, seed=0, controllers={"home": team, "away": "chaser"}).step(None)
+
+
+def examine_by_id(settings: dict[str, Any], settings_hash: str, claim: str, cap: int) -> ClaimResult:
+    """Examine a claim of the package; `settings`: those of the run, as plain data."""
+    return examine(all_claims()[claim], ReproduceSettings(**settings), cap, settings_hash)
+
+
 def ask_worker(waiting: Workers, request: dict[str, Any]) -> ClaimResult:
     """Send a request to a worker that waits, and return the result; RuntimeError if the process has ended."""
     worker = waiting.get()
@@ -73,16 +97,14 @@ def ask_worker(waiting: Workers, request: dict[str, Any]) -> ClaimResult:
 
 def as_json(settings: ReproduceSettings) -> dict[str, Any]:
     """Return the settings that decide the results of a run, as plain data for JSON; a worker has one core."""
-    left_out = {"out", "anew", "threads"}
+    left_out = {"out", "anew", "threads", "ray"}
     return {name: value for name, value in asdict(settings).items() if name not in left_out}
 
 
 def answer_requests(lines: Sequence[str] | Iterator[str], say: Any) -> None:
     """Examine the claims that the lines request, and print each result as a line of JSON to `say`."""
-    claims = all_claims()
     for request in map(json.loads, lines):
-        settings = ReproduceSettings(**request["settings"])
-        result = examine(claims[request["claim"]], settings, request["cap"], request["hash"])
+        result = examine_by_id(request["settings"], request["hash"], request["claim"], request["cap"])
         print(json.dumps(asdict(result)), file=say, flush=True)
 
 

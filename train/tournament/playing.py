@@ -14,6 +14,7 @@ from soccer_env.guards.whole_files import read_regular_file
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from soccer_env.teams import Team, is_module_team
+from soccer_env.train.cluster import Workers, open_workers
 from soccer_env.train.evaluate.contest import Contest, team_or_name
 from soccer_env.train.evaluate.evaluation import (
     open_evaluation,
@@ -53,8 +54,9 @@ def tournament(
     conditions = conditions_of(settings, contest.conditions)
     about = {"command": command_of(settings), **date_and_commit()}
     with ResultsFolder(settings.out, KIND, conditions, made, about, settings.anew) as folder:
-        with Progress("tournament", count_matches(settings) * steps_of_match(contest)) as bar:
-            rounds, opened = play_rounds(settings, league, objects, bar)
+        total = count_matches(settings) * steps_of_match(contest)
+        with Progress("tournament", total) as bar, open_workers(settings.threads, settings.ray) as workers:
+            rounds, opened = play_rounds(settings, league, objects, workers, bar)
         for at, played in enumerate(rounds):
             rounds[at] = [report_pairing(pairing, *opened[pairing.folder], settings) for pairing in played]
         result = summarise(conditions, made, rounds, settings.half_width)
@@ -105,21 +107,27 @@ def count_matches(settings: TournamentSettings) -> int:
 
 
 def play_rounds(
-    settings: TournamentSettings, league: League, teams: Mapping[str, Team], bar: Progress
+    settings: TournamentSettings, league: League, teams: Mapping[str, Team], workers: Workers, bar: Progress
 ) -> tuple[list[list[Pairing]], dict[str, Opened]]:
     """Play all rounds; return their pairings, and the contest and folder of each pairing by its name."""
     rounds: list[list[Pairing]] = []
     opened: dict[str, Opened] = {}
     names, pairings = settings.names, count_matches(settings) // settings.matches
+
+    def play_pair(pair: tuple[int, int]) -> Pairing:
+        first, second = pair
+        contest, folder = open_evaluation(settings.pairing(first, second), league, teams)
+        name = pairing_folder(first, second, names[first], names[second])
+        opened[name] = contest, folder
+        bar.rename(f"pairing {len(opened)} of {pairings}, {names[first]} against {names[second]}")
+        result = play_evaluation(contest, folder, workers, bar)
+        return Pairing(len(rounds) + 1, first, second, result, name)
+
     while pairs := next_round(settings.system, len(names), settings.swiss_rounds, scores_of(rounds)):
-        rounds.append([])
-        for first, second in pairs:
-            contest, folder = open_evaluation(settings.pairing(first, second), league, teams)
-            name = pairing_folder(first, second, names[first], names[second])
-            opened[name] = contest, folder
-            bar.rename(f"pairing {len(opened)} of {pairings}, {names[first]} against {names[second]}")
-            result = play_evaluation(contest, folder, settings.threads, bar)
-            rounds[-1].append(Pairing(len(rounds), first, second, result, name))
+        if isinstance(workers, int):
+            rounds.append([*map(play_pair, pairs)])
+        else:  # a round's pairings at once, so that none waits for the last block of another
+            rounds.append(workers.side_by_side(play_pair, pairs))
     return rounds, opened
 
 

@@ -14,9 +14,9 @@ from soccer_env.train.written_settings import CommandSettings, command_line, spl
 from soccer_env.types import MAX_TEAM
 
 PAIRINGS = "pairings"  # the folder of all pairings in the folder of a tournament
-FREE = ("matches", "threads", "out", "add", "keep", "keep_pages", "half_width", "json")  # usable without --teams
+FREE = ("matches", "threads", "ray", "out", "add", "keep", "keep_pages", "half_width", "json")  # usable without --teams
 SHARED = (  # with the evaluation of a pairing
-    "league", "matches", "minutes", "players", "seed", "threads", "senses", "pose", "rules", "variation", "keep",
+    "league", "matches", "minutes", "players", "seed", "threads", "ray", "senses", "pose", "rules", "variation", "keep",
     "keep_pages",
 )  # fmt: skip
 
@@ -58,6 +58,9 @@ class TournamentSettings(CommandSettings):
     """Seed of the tournament, 0 or more; the seeds of all matches follow from it."""
     threads: int = 1
     """Number of threads; the result does not depend on it."""
+    ray: str | None = None
+    """Play on a Ray cluster: --ray alone starts one on this machine, auto or HOST:PORT joins one. Its cores replace
+    --threads, and the result does not depend on it."""
     out: Path | None = None
     """Folder for result.json, report.html and the pairings; leave out to write no files."""
     add: str = ""

@@ -7,6 +7,7 @@ from soccer_env.train.evaluate.drills import SEED, evaluate_drills
 from soccer_env.train.evaluate.settings import ALL, EvaluateSettings
 from soccer_env.train.pages.tables.teams import crosstable
 from soccer_env.train.statistics import wilson_interval
+from soccer_env.train.written_settings import with_ray
 
 RUNS = 400  # the interval of a share of 50 % is then +-5 %
 FIXED = ("still", "random", "walker")
@@ -16,15 +17,15 @@ TEAMS = {
 }
 
 
-def measure_drills() -> dict[str, Any]:
-    """Let every team play every drill of its league."""
+def measure_drills(ray: str | None = None) -> dict[str, Any]:
+    """Let every team play every drill of its league, perhaps on a Ray cluster."""
     asked = [
         EvaluateSettings(
             league=league, scene=ALL, home=",".join(teams), matches=RUNS, seed=SEED, threads=2, pose="percept"
         )
         for league, teams in TEAMS.items()
     ]
-    rows = [asdict(result) for settings in asked for result in evaluate_drills(settings)]
+    rows = [asdict(result) for settings in asked for result in evaluate_drills(with_ray(settings, ray))]
     return {"seed": SEED, "starts": "held-out", "rows": rows}
 
 

@@ -11,6 +11,7 @@ from soccer_env.train.pages.tables.teams import row_of
 from soccer_env.train.tournament import TournamentResult, TournamentSettings, tournament
 from soccer_env.train.tournament.report import HEAD, standing_rows
 from soccer_env.train.tournament.settings import command_of
+from soccer_env.train.written_settings import with_ray
 
 TEAMS = {  # none of the past selves of the learned teams is shipped
     "legged-2001": (
@@ -29,12 +30,12 @@ def ladder_settings(league: str) -> TournamentSettings:
     )  # fmt: skip
 
 
-def measure_ladder() -> dict[str, Any]:
-    """Play the ladder of each league; `rows` has a pairing of each, for the check."""
+def measure_ladder(ray: str | None = None) -> dict[str, Any]:
+    """Play the ladder of each league, perhaps on a Ray cluster; `rows` has a pairing of each, for the check."""
     leagues, rows = [], []
     for league in TEAMS:
         settings = ladder_settings(league)
-        result = tournament(settings)
+        result = tournament(with_ray(settings, ray))
         leagues.append(ladder_of(settings, result))
         rows.append(row_of(settings.pairing(0, 1), result.pairings[0].result))
     return {"leagues": leagues, "rows": rows}

@@ -12,6 +12,7 @@ from soccer_env.train.evaluate.evaluation import evaluate
 from soccer_env.train.evaluate.settings import EvaluateSettings
 from soccer_env.train.files import read_lines
 from soccer_env.train.pages.tables.teams import crosstable, goals_of, row_of, row_settings
+from soccer_env.train.written_settings import with_ray
 
 HELD_OUT = 2  # seed of these evaluations: the policies were trained with other seeds
 LEARNED = {  # team: its league, opponents, matches of a cell, minutes of a whole match
@@ -32,11 +33,14 @@ def learned_rows(team: str) -> Iterator[EvaluateSettings]:
             yield replace(settings, pose="particles")
 
 
-def measure_learned(team: str) -> dict[str, Any]:
-    """Play a learned team's evaluations; return their rows, with the rules, the whistles and the clean goals."""
+def measure_learned(team: str, ray: str | None = None) -> dict[str, Any]:
+    """Play a learned team's evaluations, perhaps on a Ray cluster.
+
+    Return their rows, with the rules, the whistles and the clean goals.
+    """
     rows = []
     for settings in learned_rows(team):
-        result = evaluate(settings)
+        result = evaluate(with_ray(settings, ray))
         rows.append(
             row_of(settings, result)
             | whistles_and_goals(result.statistics)

@@ -2,7 +2,8 @@
 
 TABLES has all tables; the headlines of the main README are taken from the other tables.
 
-    python -m soccer_env.train.pages.tables [NAME]     measure all tables, or one, and write file and pages
+    python -m soccer_env.train.pages.tables [NAME]     measure all tables, or one, and write file and pages;
+        [--ray [ADDRESS]]                              play on a Ray cluster; times are measured here in any case
     python -m soccer_env.train.pages.tables write      write the pages again from the file, without measuring
     python -m soccer_env.train.pages.tables states     update the final states of first pairs whose scores agree,
                                                        after a change to the fields of records (never to play)
@@ -23,6 +24,7 @@ from typing import Any, NamedTuple
 from soccer_env.guards.whole_files import write_atomically
 from soccer_env.train.bench.benchmark import run_benchmark as run_bench
 from soccer_env.train.bench.settings import BenchSettings
+from soccer_env.train.command.parsing import fill_flag, take_out_flag
 from soccer_env.train.pages.tables.drills import drills_table, measure_drills
 from soccer_env.train.pages.tables.headlines import headlines_table
 from soccer_env.train.pages.tables.ladder import ladder_table, measure_ladder
@@ -52,6 +54,7 @@ from soccer_env.train.papers.reproduction import reproduce
 from soccer_env.train.papers.results import FOLDERS, read_stored
 from soccer_env.train.papers.settings import ReproduceSettings, command_of
 from soccer_env.train.provenance import date_and_commit, play_facts
+from soccer_env.train.written_settings import with_ray
 from soccer_env.types import WORLD
 
 DATA = Path(__file__).with_name("tables.json")
@@ -69,10 +72,10 @@ PLAYED = (
 SLOWER = 2.0  # factor by which a ratio may grow before the check fails; machines are noisy
 
 
-def measure_sensors() -> dict[str, Any]:
+def measure_sensors(ray: str | None = None) -> dict[str, Any]:
     """Measure the errors of all sensors and estimates over the range."""
     settings = ReproduceSettings(claims=("sensors",), seeds=(1,), threads=2)
-    (result,) = reproduce(settings)
+    (result,) = reproduce(with_ray(settings, ray))
     return {"command": command_of(settings), "n": result.n, "note": result.note}
 
 
@@ -107,24 +110,24 @@ class PageTable(NamedTuple):
     """A table: the page that shows it, seen from the checkout's root, and the functions that measure and show it."""
 
     page: str
-    measure: Callable[[], dict[str, Any]]  # without `about`
+    measure: Callable[[str | None], dict[str, Any]]  # of the address of a Ray cluster; without `about`
     show: Callable[[dict[str, Any]], str]  # in Markdown, without footer
 
 
 TABLES = {
     "sensors": PageTable("soccer_env/perception/README.md", measure_sensors, sensors_table),
     "ladder": PageTable("baselines/README.md", measure_ladder, ladder_table),
-    "scripted": PageTable("baselines/README.md", lambda: measure_rows(scripted_rows()), scripted_table),
-    "sacks": PageTable("baselines/README.md", lambda: measure_rows(sacks_rows()), sacks_table),
-    "heinemann": PageTable("baselines/README.md", lambda: measure_rows(heinemann_rows()), heinemann_table),
+    "scripted": PageTable("baselines/README.md", lambda ray: measure_rows(scripted_rows(), ray), scripted_table),
+    "sacks": PageTable("baselines/README.md", lambda ray: measure_rows(sacks_rows(), ray), sacks_table),
+    "heinemann": PageTable("baselines/README.md", lambda ray: measure_rows(heinemann_rows(), ray), heinemann_table),
     "robustness": PageTable("baselines/README.md", measure_robustness, robustness_table),
     "drills": PageTable("soccer_env/scenes/README.md", measure_drills, drills_table),
-    "learned": PageTable("agents/policies/README.md", lambda: measure_learned("learned"), learned_table),
+    "learned": PageTable("agents/policies/README.md", lambda ray: measure_learned("learned", ray), learned_table),
     "learned_2006": PageTable(
-        "agents/policies/learned-2006.md", lambda: measure_learned("learned-2006"), learned_table
+        "agents/policies/learned-2006.md", lambda ray: measure_learned("learned-2006", ray), learned_table
     ),
-    "training": PageTable("train/MEASURED.md", measure_training, training_table),
-    "speed": PageTable("train/MEASURED.md", measure_speed, speed_table),
+    "training": PageTable("train/MEASURED.md", lambda ray: measure_training(), training_table),
+    "speed": PageTable("train/MEASURED.md", lambda ray: measure_speed(), speed_table),
     "plausibility": PageTable("train/MEASURED.md", measure_plausibility, plausibility_table),
 }
 PAGES = {"headlines": "README.md"} | {name: table.page for name, table in TABLES.items()}
@@ -223,9 +226,11 @@ def write_pages(data: dict[str, Any]) -> None:
 
 def main(arguments: list[str]) -> int:
     """Measure and write the tables, or check them; return the exit code."""
+    ray, arguments = take_out_flag(fill_flag(arguments, "--ray", "local"), "--ray")
     names = [name for name in arguments if name in TABLES]
-    if arguments not in (names, ["write"], ["states"], ["--check"], ["--check", "--quick"]):
-        choices = f"[{'|'.join(TABLES)}|write|states] [--check [--quick]]"
+    others = (["write"], ["states"], ["--check"], ["--check", "--quick"])
+    if arguments != names and (ray or arguments not in others):
+        choices = f"[{'|'.join(TABLES)} ...] [--ray [ADDRESS]], or write, states, --check [--quick]"
         print(f"usage: python -m soccer_env.train.pages.tables {choices}", file=sys.stderr)
         return 2
     if arguments == ["write"]:
@@ -233,7 +238,7 @@ def main(arguments: list[str]) -> int:
         return 0
     if arguments == names:
         data = read_measurements() if names else {}
-        data |= {name: {"about": about(), **TABLES[name].measure()} for name in names or TABLES}
+        data |= {name: {"about": about(), **TABLES[name].measure(ray or None)} for name in names or TABLES}
         write_atomically(DATA, json.dumps(data, indent=1) + "\n")
         write_pages(data)
         return 0

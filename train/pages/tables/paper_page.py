@@ -1,6 +1,6 @@
 """The page of a team that was built from a paper: a short row for each claim, with details in claims.json beside it.
 
-    python -m soccer_env.train.pages.tables.sacks                 measure each claim of the paper (resumes)
+    python -m soccer_env.train.pages.tables.sacks [--ray [ADDRESS]]   measure each claim of the paper (resumes)
     python -m soccer_env.train.pages.tables.sacks run FOLDER ...  take over the results of runs of `soccer reproduce`
     python -m soccer_env.train.pages.tables.sacks write           write README.md again from claims.json
 
@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from soccer_env.guards.whole_files import write_atomically
+from soccer_env.train.command.parsing import fill_flag, take_out_flag
 from soccer_env.train.files import read_lines
 from soccer_env.train.papers.claim import Claim
 from soccer_env.train.papers.claims import all_claims
@@ -37,6 +38,7 @@ from soccer_env.train.papers.settings import ReproduceSettings
 from soccer_env.train.papers.verdicts import NOT, VERDICTS
 from soccer_env.train.provenance import play_facts
 from soccer_env.train.results_folder import SETTINGS, read_settings
+from soccer_env.train.written_settings import with_ray
 from soccer_env.types import WORLD
 
 SHOWN = Path(__file__).resolve().parents[3] / "soccer_env" / "pictures"
@@ -67,10 +69,10 @@ class PaperPage:
         """Return the contents of claims.json."""
         return read_stored(self.folder)
 
-    def measure(self) -> Path:
-        """Measure every claim, resuming an earlier call; return the folder of the run."""
+    def measure(self, ray: str | None = None) -> Path:
+        """Measure every claim, perhaps on a Ray cluster, resuming an earlier call; return the folder of the run."""
         claims = () if self.both_papers else self.claims
-        reproduce(ReproduceSettings(claims=claims, all=self.both_papers, threads=2, out=self.run))
+        reproduce(with_ray(ReproduceSettings(claims=claims, all=self.both_papers, threads=2, out=self.run), ray))
         return self.run
 
     def take(self, run: Path) -> dict[str, dict[str, Any]]:
@@ -109,8 +111,9 @@ class PaperPage:
 
     def main(self, words: Sequence[str]) -> int:
         """Measure, take over runs or write; return the exit code."""
+        ray, words = take_out_flag(fill_flag([*words], "--ray", "local"), "--ray")
         if not words:
-            self.write(self.take(self.measure()))
+            self.write(self.take(self.measure(ray)))
         elif [*words] == ["write"]:
             self.write(self.stored())
         elif words[0] == "run" and len(words) > 1:
@@ -119,7 +122,7 @@ class PaperPage:
                 measured |= self.take(Path(folder))
             self.write(measured)
         else:
-            print("usage: [run FOLDER ... | write], or nothing to measure every claim", file=sys.stderr)
+            print("usage: [run FOLDER ... | write]; nothing or --ray [ADDRESS] measures every claim", file=sys.stderr)
             return 2
         return 0
 

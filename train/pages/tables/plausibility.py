@@ -24,6 +24,7 @@ from soccer_env.train.evaluate.statistics import (
 )
 from soccer_env.train.pages.tables.teams import row_of, row_settings
 from soccer_env.train.statistics import Interval, paired_bootstrap, ratio_bootstrap
+from soccer_env.train.written_settings import with_ray
 
 MATCHES, MINUTES, SEED = 60, 4.0, 5  # seeds that no other table has
 PAIRINGS = (  # league, home, away, players a side
@@ -97,11 +98,11 @@ def plausibility_rows() -> Iterator[EvaluateSettings]:
         yield row_settings(league, home, away, "sensors", MATCHES, MINUTES, players, SEED)
 
 
-def measure_plausibility() -> dict[str, Any]:
-    """Play the pairings, and return their rows."""
+def measure_plausibility(ray: str | None = None) -> dict[str, Any]:
+    """Play the pairings, perhaps on a Ray cluster, and return their rows."""
     rows = []
     for settings in plausibility_rows():
-        result = evaluate(settings)
+        result = evaluate(with_ray(settings, ray))
         rows.append(row_of(settings, result) | {"play": statistics_of_play(result)})
     return {"rows": rows}
 

@@ -9,6 +9,7 @@ from soccer_env.match.variation import names_of
 from soccer_env.train.evaluate.evaluation import evaluate
 from soccer_env.train.evaluate.settings import EvaluateSettings
 from soccer_env.train.pages.tables.teams import crosstable, result_of, row_of, row_settings
+from soccer_env.train.written_settings import with_ray
 
 TEAMS = {
     "legged-2001": ("chaser", "sacks-2001", "sacks-2001-tuned", "sacks-2001-future", "learned"),
@@ -41,12 +42,12 @@ def variation_of(league: str, condition: str) -> str:
     return ",".join(f"{name}={factor:g}" for name in names_of(find_league(league)) if name.endswith(ends))
 
 
-def measure_robustness() -> dict[str, Any]:
-    """Play every team against the chaser under each condition."""
+def measure_robustness(ray: str | None = None) -> dict[str, Any]:
+    """Play every team against the chaser under each condition, perhaps on a Ray cluster."""
     rows = []
     for name, settings in robustness_rows():
         more = {"condition": name, "variation": settings.variation, "rules": settings.rules, "pose": settings.pose}
-        rows.append(row_of(settings, evaluate(settings)) | more)
+        rows.append(row_of(settings, evaluate(with_ray(settings, ray))) | more)
     return {"rows": rows}
 
 

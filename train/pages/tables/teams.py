@@ -10,6 +10,7 @@ from soccer_env.train.evaluate.contest import contest_of, play
 from soccer_env.train.evaluate.evaluation import evaluate
 from soccer_env.train.evaluate.results import EvaluationResult
 from soccer_env.train.evaluate.settings import EvaluateSettings, command_of, conditions_of
+from soccer_env.train.written_settings import with_ray
 
 SEED, PLAYERS = 1, 3
 MATCHES = {"ideal": 200, "sensors": 100}
@@ -71,9 +72,9 @@ def row_settings(
     )  # fmt: skip
 
 
-def measure_rows(evaluations: Iterator[EvaluateSettings]) -> dict[str, Any]:
-    """Play evaluations and return their rows."""
-    return {"rows": [row_of(settings, evaluate(settings)) for settings in evaluations]}
+def measure_rows(evaluations: Iterator[EvaluateSettings], ray: str | None = None) -> dict[str, Any]:
+    """Play evaluations, on the Ray cluster at an address if one is given, and return their rows."""
+    return {"rows": [row_of(settings, evaluate(with_ray(settings, ray))) for settings in evaluations]}
 
 
 def row_of(settings: EvaluateSettings, result: EvaluationResult) -> dict[str, Any]:

@@ -6,6 +6,7 @@ from itertools import pairwise
 
 import pytest
 
+from soccer_env.train.evaluate.settings import EvaluateSettings
 from soccer_env.train.pages.tables import pages as tables
 from soccer_env.train.pages.tables import teams as tables_teams
 from soccer_env.train.pages.tables.headlines import headlines
@@ -92,3 +93,20 @@ def test_no_step_of_strength_loses_points_in_the_table(league: str) -> None:
 def test_a_missing_marker_is_named() -> None:
     with pytest.raises(ValueError, match="markers of table sensors"):
         tables.fill_page_tables("no markers here", "soccer_env/perception/README.md", DATA)
+
+
+@pytest.mark.parametrize(("words", "ray"), [(["scripted"], None), (["scripted", "--ray", "head:6379"], "head:6379")])
+def test_a_table_is_measured_on_the_cluster_that_is_named(
+    words: list[str], ray: str | None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked = []
+
+    def refuse(settings: EvaluateSettings) -> None:
+        asked.append((settings.ray, settings.threads))
+        raise LookupError
+
+    monkeypatch.setattr(tables_teams, "evaluate", refuse)
+    with pytest.raises(LookupError):
+        tables.main(words)
+    assert asked == [(ray, 2 if ray is None else 1)]
+    assert tables.main(["--check", "--ray"]) == 2
