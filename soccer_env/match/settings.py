@@ -116,6 +116,8 @@ class Settings(MatchSettings):
         relevant = {name: value for name, value in self.describe().items() if name not in FREE} | {"limit": self.limit}
         if self.variation is None:
             relevant.pop("variation", None)  # as before there were variations
+        if self.actions.name == "skills":  # whose memory the future depends on
+            relevant["actions"] = self.actions.name
         return hashlib.sha256(json.dumps(relevant, sort_keys=True).encode()).hexdigest()[:16]
 
 
