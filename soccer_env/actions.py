@@ -1,8 +1,9 @@
-"""Actions of a learner: box (4 numbers), full (7 numbers, with the head), discrete (an index), multi (4 indices).
+"""Actions of a learner: box (4 numbers), full (7, with the head), discrete (an index), multi (4 indices), skills.
 
 Numbers in [-1, 1] are shares of the league's limits; finite numbers outside are clipped, other values refused. The
-indices of "multi" choose levels of forward, left and turn, and a kick. A mask tells which indices have an effect now;
-a masked one is obeyed as far as the robot can.
+indices of "multi" choose levels of forward, left and turn, and a kick. The index of "skills" chooses a skill of the
+scripted players with its target, which the robot carries out by its own belief. A mask tells which indices have an
+effect now; a masked one is obeyed as far as the robot can, and a masked skill becomes the search for the ball.
 """
 
 from dataclasses import dataclass
@@ -14,6 +15,7 @@ from soccer_env.compiled import compiled
 from soccer_env.geometry import clip
 from soccer_env.guards.checking import check_choice
 from soccer_env.leagues.league import League
+from soccer_env.skills.choices import SKILLS
 
 BOX = ("forward", "left", "turn", "kick")
 FULL = (*BOX, "head", "pan", "tilt")
@@ -52,7 +54,7 @@ KICKS: dict[str, tuple[float, float, float]] = {  # of "multi": kick, head, pan
 }
 WALK = len(BOX) - 1  # the parts of "multi" before the kick
 PARTS = {"discrete": (len(DISCRETE),), "multi": (*(len(LEVELS),) * WALK, len(KICKS))}  # choices of each index
-KINDS = ("box", "full", *PARTS)
+KINDS = ("box", "full", *PARTS, "skills")
 FLOAT = np.dtype(np.float64)
 DISCRETE_TABLE = np.array(list(DISCRETE.values()), dtype=np.float64)
 LEVEL_TABLE, KICK_TABLE = np.array(LEVELS), np.array(list(KICKS.values()), dtype=np.float64)
@@ -62,6 +64,7 @@ STANDING = {
     "discrete": ~DISCRETE_TABLE.any(axis=1),
     "multi": np.concatenate([*[LEVEL_TABLE == 0.0] * WALK, KICK_TABLE[:, 0] == 0.0]),
 }
+STANDING_SKILL = list(SKILLS).index("stand")
 KICKING_ASIDE = np.concatenate([NO_KICK, KICK_TABLE[:, 2] != 0.0])  # of "multi"
 
 
@@ -76,13 +79,23 @@ class ActionKind:
 
     @property
     def size(self) -> int:
-        """Return how many numbers an action has; indices are expanded to four numbers, those of "multi" to seven."""
+        """Return how many numbers an action has.
+
+        An index of "discrete" is expanded to four numbers, those of "multi" to seven; a skill remains one number.
+        """
+        if self.name == "skills":
+            return 1
         return len(FULL) if self.name in ("full", "multi") else len(BOX)
 
     @property
     def parts(self) -> tuple[int, ...]:
         """Return how many choices each index of an action has; () for numbers."""
-        return PARTS.get(self.name, ())
+        return (len(SKILLS),) if self.name == "skills" else PARTS.get(self.name, ())
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Return the names of the choices of an index; () for numbers, and for "multi", whose choices are levels."""
+        return tuple({"discrete": DISCRETE, "skills": SKILLS}.get(self.name, ()))
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -123,6 +136,8 @@ class ActionKind:
 
     def expand(self, indices: np.ndarray) -> np.ndarray:
         """Convert checked indices (..., *shape) to numbers (..., size)."""
+        if self.name == "skills":
+            return indices[..., None].astype(np.float64)
         if self.name == "discrete":
             rows: np.ndarray = DISCRETE_TABLE[indices]
             return rows
@@ -153,7 +168,7 @@ class ActionKind:
 def actions_to_numbers(
     kind: ActionKind, actions: Any, agents: list[str], learns: np.ndarray, matches: int
 ) -> np.ndarray:
-    """Convert the actions of M matches to (M, R, 4 or 7) float64; ValueError names the first agent with a wrong action.
+    """Convert the actions of M matches to (M, R, size) float64; ValueError names the first agent with a wrong action.
 
     Rows of robots that teams play (`learns` (R,) is 0) may hold anything.
     """
@@ -176,7 +191,7 @@ def actions_to_numbers(
 
 
 def expand_indices(kind: ActionKind, actions: Any, agents: list[str], matches: int) -> np.ndarray:
-    """Convert indices (M, R, *kind.shape) to numbers (M, R, 4 or 7)."""
+    """Convert indices (M, R, *kind.shape) to numbers (M, R, size)."""
     shape = (matches, len(agents), *kind.shape)
     numbers = np.asarray(actions)
     if numbers.shape != shape:
@@ -189,16 +204,23 @@ def expand_indices(kind: ActionKind, actions: Any, agents: list[str], matches: i
     return np.ascontiguousarray(kind.expand(numbers))
 
 
-def action_masks(kind: ActionKind, matches: np.ndarray, robots: np.ndarray, league: League) -> np.ndarray:
+def action_masks(
+    kind: ActionKind, matches: np.ndarray, robots: np.ndarray, league: League, skills: np.ndarray | None = None
+) -> np.ndarray:
     """Return masks (M, R, n) int8 of matches (M,) and robots (M, R): 1 for each choice with an effect now.
 
     The choices of all indices follow one another: n is 12 for "discrete", 20 for "multi". A robot that may not act (it
     is out, has fallen, or is steered by the referee) can only stand. A robot whose kicker is not ready cannot kick, nor
-    a goalkeeper without a kicker, and none aside in a league without such kicks. ValueError for actions in numbers.
+    a goalkeeper without a kicker, and none aside in a league without such kicks. `skills` (M, R, n): those that apply
+    by the robots' beliefs, for the kind "skills". ValueError for actions in numbers.
     """
     if not kind.parts:
-        raise ValueError(f"actions in numbers have no masks: give actions='discrete' or 'multi', not {kind.name!r}")
+        raise ValueError(
+            f"actions in numbers have no masks: give actions='discrete', 'multi' or 'skills', not {kind.name!r}"
+        )
     acts = (robots["active"] == 1) & (robots["fallen"] <= 0.0) & (matches["placing"] == 0)[:, None]
+    if skills is not None:
+        return np.where(acts[..., None], skills, np.arange(skills.shape[-1]) == STANDING_SKILL).astype(np.int8)
     kicks = acts & (robots["kick_clock"] == 0.0) & (league.kicker.keeper_kicks | (robots["keeper"] == 0))
     masks = np.where(KICKING[kind.name], kicks[..., None], acts[..., None]) | STANDING[kind.name]
     if league.kicker.aside <= 0.0 and kind.name == "multi":

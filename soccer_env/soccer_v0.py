@@ -4,7 +4,7 @@
 |---|---|
 | agents | `home_0`, ..., `away_0`, ...: every robot that no team plays |
 | observation | one float32 vector in [-1, 1] a robot, see `soccer_env.observations.layout`, or a user's own |
-| action | Box(4) or Box(7), Discrete, or MultiDiscrete (`actions="multi"`); see `soccer_env.actions` |
+| action | Box(4) or Box(7), Discrete (also skills), or MultiDiscrete (`actions="multi"`); see `soccer_env.actions` |
 | reward | weighted terms, see `soccer_env.rewards.TERMS` |
 | state | the whole truth of the match in [-1, 1], see `soccer_env.match.truth_state` |
 

@@ -24,7 +24,6 @@ from soccer_env.skills.glancing import PHANTOM, look_up
 from soccer_env.skills.goalkeeping import keep_goal
 from soccer_env.skills.keeping_rules import avoid_pushing_foul, is_in_own_area, leave_area, may_not_enter, wait_at_area
 from soccer_env.skills.kicking import aim_kick, time_kick
-from soccer_env.skills.memory import MEMORY
 from soccer_env.skills.searching import LOST, end_search, search_for_ball
 from soccer_env.skills.set_pieces import (
     HOLDS_OFF,
@@ -34,8 +33,8 @@ from soccer_env.skills.set_pieces import (
     take_restart,
     wait_for_pass,
 )
+from soccer_env.skills.settings import MEMORY, fitted, settings_rows
 from soccer_env.skills.settings import NUMBERS as SKILL_NUMBERS
-from soccer_env.skills.settings import fitted, settings_rows
 from soccer_env.skills.sight import SIGHT, fill_sight
 from soccer_env.skills.supporting import choose_rank, support
 from soccer_env.teams import CompiledTeam

@@ -7,7 +7,7 @@ from soccer_env.baselines.weigel_2001.planner.records import SCRATCH as PLANNING
 from soccer_env.baselines.weigel_2001.planner.settings import PlannerSettings
 from soccer_env.guards.ranges import COUNT, FLAG, NUMBER, UNIT, Range, ranged_record
 from soccer_env.records.beliefs import SITUATION
-from soccer_env.skills.memory import MEMORY as SKILL_MEMORY
+from soccer_env.skills.settings import MEMORY as SKILL_MEMORY
 from soccer_env.skills.sight import SIGHT
 from soccer_env.types import PHASE
 

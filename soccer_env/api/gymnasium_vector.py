@@ -7,7 +7,6 @@ import numpy as np
 from gymnasium.vector import AutoresetMode, VectorEnv
 from gymnasium.vector.utils import batch_space
 
-from soccer_env.actions import action_masks
 from soccer_env.api.infos import FlatInfoArrays
 from soccer_env.api.nested_arrays import NestedInfoArrays
 from soccer_env.api.opponents import OpponentNames, changed_by
@@ -171,7 +170,7 @@ class SoccerVectorEnv(ShowsMatch, VectorEnv[np.ndarray, Any, np.ndarray]):
 
     def _add_final(self, infos: dict[str, Any]) -> dict[str, Any]:
         """Add the last observation and info of ended matches, and move their reward terms into that info."""
-        report, match, kind = self._report, self.match, self.match.settings.actions
+        report, match = self._report, self.match
         for index, m in enumerate(match.ended):
             last = {
                 "final_obs": copy_arrays(
@@ -180,8 +179,7 @@ class SoccerVectorEnv(ShowsMatch, VectorEnv[np.ndarray, Any, np.ndarray]):
                 "final_info": {} if report is None else report.last(index),
             }
             if report is not None and self._indices:
-                masks = action_masks(kind, match.final["matches"], match.final["robots"], match.league)
-                last["final_info"]["action_mask"] = masks[index, self._row]
+                last["final_info"]["action_mask"] = match.final["action_masks"][index, self._row]
             infos = self._add_info(infos, last, int(m))
         if report is not None:
             report.forget(infos, match.ended)

@@ -9,7 +9,7 @@
 | `reward_NAME` | share of each term of the reward: `soccer list rewards` |
 | `event_NAME` | events of the match in this step: the fields of `types.EVENTS` without the ball's place |
 | `own_NAME` | events of the robot itself: the fields of `types.ROBOT_EVENTS` |
-| `action_mask` | of actions="discrete" and "multi": the choices with an effect now, see `actions.action_masks` |
+| `action_mask` | of actions="discrete", "multi", "skills": the choices with an effect now, see `actions.action_masks` |
 | `variation_NAME` | with `variation=`: the factor of each number in this episode |
 | `statistics_NAME` | infos="full": of the episode so far, from the side of the agent's team: `soccer list statistics` |
 """

@@ -5,6 +5,7 @@ arguments.py     each setting, declared once          settings.py  the settings 
 step.py          one control step, from commands to observations
 episodes.py      how an episode begins and ends       squads.py    which team plays which robot
 senses.py        percepts and beliefs of the robots   views.py     read-only methods: beliefs, state, repr
+skill_players.py learners that choose skills
 variation.py     numbers of the league that differ from episode to episode
 truth_state.py   the whole truth as one vector, for centralised critics
 user_code.py     calls to a user's own functions, with checks of their results

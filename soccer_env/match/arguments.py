@@ -99,9 +99,9 @@ class MatchSettings(CheckedFields):
         'frame of `state()`: that of "home" or "away", which then always attacks +x, or of the "field"',
         free=True,
     )
-    actions: Literal["box", "full", "discrete", "multi"] | ActionKind = declare_setting(
+    actions: Literal["box", "full", "discrete", "multi", "skills"] | ActionKind = declare_setting(
         "box",
-        'kind: "box" (4 numbers), "full" (7, with the head), "discrete" or "multi" (indices, with masks)',
+        'kind: "box" (4 numbers), "full" (7, with the head), or with masks: "discrete", "multi", or "skills" by name',
         free=True,
     )
     scene: str | Scene = declare_setting(

@@ -21,11 +21,11 @@ from soccer_env.match.batch import ActionSums, MatchBatch
 from soccer_env.match.saving import Branching, guard_match_methods
 from soccer_env.match.senses import sensing_sides
 from soccer_env.match.settings import make_settings
+from soccer_env.match.skill_players import SkillPlayers
 from soccer_env.match.squads import TeamArrays, assign_teams, choose_teams, make_squads, run_compiled, run_python
 from soccer_env.match.user_code import UserObservations, UserRewardTerms
-from soccer_env.match.views import Views
+from soccer_env.match.views import Views, final_records
 from soccer_env.observations import layout
-from soccer_env.observations.own import index_arrays
 from soccer_env.physics.engine.space_batch import Backend
 from soccer_env.random_numbers import check_seeds, seeds_for
 from soccer_env.rewards import NAMES
@@ -34,9 +34,6 @@ from soccer_env.teams.function_teams.asking import forbid_changes
 Transition = tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]
 BLOCK = 64  # matches whose stages run one after the other, so that their Spaces stay in the cache; measured
 NOBODY = np.zeros(0, np.int64)
-FINAL = (  # kept of ended episodes
-    "observations", "matches", "balls", "robots", "events", "robot_events", "terms", "statistics",
-)  # fmt: skip
 
 
 @guard_match_methods
@@ -112,6 +109,8 @@ class Match(Views, Branching):
             self.batch.use_sensors(sides)
         batch, robots = self.batch, self.robots
         self._team_arrays = TeamArrays(batch.beliefs, batch.tracks, robots["noise"], robots["command"], batch.constants)
+        chosen = self.settings.actions.name == "skills"
+        self.skills = SkillPlayers(self.league, self._team_arrays) if chosen else None
         unplayed = self.count if not self.learns.any() else 0  # with learners there are always actions
         self._no_actions = np.zeros((unplayed, len(self.agents), self.settings.actions.size))
 
@@ -146,6 +145,8 @@ class Match(Views, Branching):
             self.batch.start(int(m), int(self.seeds[m]), int(episodes[m]))
             for squad in self.squads:
                 squad.memory[m] = np.zeros((), squad.memory.dtype)
+            if self.skills is not None:
+                self.skills.begin(int(m))
             choose_teams(self.squads, self.settings.rows[0], int(m), int(self.seeds[m]), int(episodes[m]))
             self.batch.sense_first_frame(m)
         self._observe_own()
@@ -238,7 +239,10 @@ class Match(Views, Branching):
         for squad in self.squads:
             if squad.compiled:
                 run_compiled(squad, self._team_arrays, self.batch.write_observations, first, last)
-        write_learner_commands(self.robots, numbers, first, last, self.learns)
+        if self.skills is None:
+            write_learner_commands(self.robots, numbers, first, last, self.learns)
+        else:
+            self.skills.write_commands(numbers, self.learns, first, last)
 
     def _decide_python_teams(self) -> None:
         """Let teams written in plain Python decide, in all matches at once."""
@@ -268,11 +272,7 @@ class Match(Views, Branching):
             return self.observations, self.rewards, self.terminated, self.truncated
         terminated, truncated = self.terminated.copy(), self.truncated.copy()
         self.ended = np.flatnonzero(terminated | truncated)
-        self.final = truth_state.FinalRecords(
-            self.settings,
-            {name: index_arrays(getattr(self, name), self.ended) for name in FINAL}
-            | {"beliefs": self.batch.beliefs[self.ended]},
-        )
+        self.final = final_records(self)
         self._begin(self.ended, self.matches["episode"] + 1)
         return self.observations, self.rewards, terminated, truncated
 

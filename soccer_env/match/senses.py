@@ -27,7 +27,7 @@ UNUSED = (
 
 
 def sensing_sides(settings: Settings, squads: list[Any], learns: np.ndarray) -> tuple[int, ...]:
-    """Return the sides (HOME, AWAY) whose sensors are used by a team of the squads or an observation of learners.
+    """Return the sides (HOME, AWAY) whose sensors are used by a team of the squads, an observation or a skill.
 
     `learns` (R,) marks the rows of learners.
     """
@@ -39,8 +39,10 @@ def sensing_sides(settings: Settings, squads: list[Any], learns: np.ndarray) -> 
         tells = (
             observe if isinstance(observe, str) else "belief" if getattr(observe, "needs_beliefs", True) else "truth"
         )
-        watched = tells != "truth" and any(learns[r] == 1 for r in rows)
-        if (settings.senses[side] == "sensors" and (played or watched)) or (watched and tells == "percepts"):
+        learning = any(learns[r] == 1 for r in rows)
+        watched, chooses = learning and tells != "truth", learning and settings.actions.name == "skills"
+        reads = played or watched or chooses
+        if (settings.senses[side] == "sensors" and reads) or (watched and tells == "percepts"):
             used.append(side)
     return tuple(used)
 

@@ -119,6 +119,8 @@ class Settings(MatchSettings):
             relevant.pop("variation", None)  # as before there were variations
         if self.league.faults == Faults():
             relevant["league"].pop("faults")  # as before there were faults
+        if self.actions.name == "skills":  # whose memory the future depends on
+            relevant["actions"] = self.actions.name
         return hashlib.sha256(json.dumps(relevant, sort_keys=True).encode()).hexdigest()[:16]
 
 

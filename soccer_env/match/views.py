@@ -11,10 +11,11 @@ from soccer_env.match.batch import MatchBatch
 from soccer_env.match.settings import Settings
 from soccer_env.match.squads import Squad
 from soccer_env.observations import Entry
-from soccer_env.observations.own import form_size
+from soccer_env.observations.own import form_size, index_arrays
 from soccer_env.types import HOME, Phase
 
 PICTURES = "soccer_env.api.shown"  # stands above this file: imported when a notebook asks for a picture
+FINAL = ("observations", "matches", "balls", "robots", "events", "robot_events", "terms", "statistics")
 Match = Any  # soccer_env.match.match.Match, which stands above this file
 
 
@@ -25,6 +26,7 @@ class Views:
         settings: Settings
         batch: MatchBatch
         squads: list[Squad]
+        skills: Any
         matches: np.ndarray
         balls: np.ndarray
         robots: np.ndarray
@@ -62,7 +64,16 @@ class Views:
 
     def action_masks(self) -> np.ndarray:
         """Return the masks (M, R, n) int8 of the actions that have an effect now, see `actions.action_masks`."""
-        return action_masks(self.settings.actions, self.matches, self.robots, self.settings.league)
+        skills = None
+        if self.skills is not None:
+            self.batch.read(self.batch.everyone, 0, len(self.matches))
+            skills = self.skills.masks()
+        return action_masks(self.settings.actions, self.matches, self.robots, self.settings.league, skills)
+
+    @property
+    def action_names(self) -> tuple[str, ...]:
+        """Return the names of the choices of "discrete" or "skills", in the order of the masks; () for other kinds."""
+        return self.settings.actions.names
 
     def state_entries(self, side: str | None = None) -> list[Entry]:
         """Return name, meaning, scale and frame of each number of `state(side)`."""
@@ -84,6 +95,15 @@ class Views:
         """Return a picture of the first match, which a notebook shows, or None if it cannot be drawn."""
         drawn: bytes | None = import_module(PICTURES).match_png(self)
         return drawn
+
+
+def final_records(match: Match) -> truth_state.FinalRecords:
+    """Return what is kept of the episodes that have just ended, by name, before others begin in their rows."""
+    kept = {name: index_arrays(getattr(match, name), match.ended) for name in FINAL}
+    kept["beliefs"] = match.batch.beliefs[match.ended]
+    if match.settings.actions.parts:
+        kept["action_masks"] = match.action_masks()[match.ended]
+    return truth_state.FinalRecords(match.settings, kept)
 
 
 def pymarl_sizes(match: Match) -> dict[str, int | None]:

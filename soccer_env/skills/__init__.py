@@ -6,14 +6,15 @@ approaching.py    to the ball, straight or round it
 attacking.py      the whole attacker: get the ball, turn it to the goal, shoot, free a stuck ball
 boards.py         a ball out of a corner
 carrying.py       the ball carried between the paws or the arms of the guide
-kicking.py        kicks aside, past what stands ahead, and clearances
+kicking.py        kicks aside, past what stands ahead, clearances and passes
 deciding.py       when a player decides, and how its strength limits it
 supporting.py     the places of supporters
 goalkeeping.py    the whole goalkeeper: meet a shot, clear, guard
 glancing.py       a look up from the ball for landmarks
 searching.py      the search for a lost ball
-settings.py       the numbers that skills read, and memory.py: what they remember
+settings.py       the numbers that skills read, and what they remember
 set_pieces.py     restarts: pass, and leave the ball to others
+choices.py        skills with a target that learners, searches and people choose, and which apply
 keeping_rules.py  where a player may not go, and how it avoids pushing
 """
 

@@ -1,4 +1,4 @@
-"""When a player kicks other than at the goal: clear of pressing opponents, or aside, past what stands ahead.
+"""When a player kicks other than at the goal: clear of opponents, aside, past what stands ahead, or to a mate.
 
 A robot on legs kicks to the side to which its command turns its head (physics/kicker.py).
 
@@ -6,9 +6,16 @@ A robot on legs kicks to the side to which its command turns its head (physics/k
 """
 
 from soccer_env.compiled import compiled
-from soccer_env.geometry import clip
+from soccer_env.geometry import clip, length
 from soccer_env.skills.carrying import is_pressed
-from soccer_env.skills.moves import free_roll_distance, lane_room, rotate_vector, shot_room
+from soccer_env.skills.moves import (
+    TURN_COST,
+    free_roll_distance,
+    lane_room,
+    misalignment,
+    rotate_vector,
+    shot_room,
+)
 from soccer_env.skills.set_pieces import kick_strength_for
 from soccer_env.skills.sight import is_opponent_near, side_of
 
@@ -19,6 +26,7 @@ HURRIES = 1.0  # [m] from the ball of an opponent that leaves no time to turn th
 UPFIELD = 0.3  # cosine of the angle off straight upfield of a clearance at most, assumed
 FOILED = 0.5  # [s] after the wind-up within which a kicked ball has left the feet, assumed
 ROLLS_OUT = 0.8  # [1] of the way to the line that a clearance may roll, assumed
+ALONE = 1.0  # [m] of a pass without a team-mate in sight, assumed
 BESIDE_GOAL = 0.3  # [m] beside the own posts at which a kick may not aim, assumed
 
 
@@ -129,3 +137,47 @@ def aim_kick(command, k, side):
     elif command.head >= 0.0:
         least = 0.4 * k.kicker_aside / k.head_pan_limit
         command.pan = clip(command.pan, -least, least)
+
+
+# To whom a ball can be passed
+
+
+@compiled
+def choose_mate(sight, k):
+    """Return the unit vector from the ball to the best team-mate for a pass, and the distance [m]."""
+    best, best_x, best_y, far = -1e9, sight.now_cosine, sight.now_sine, ALONE
+    for i in range(sight.others):
+        x, y = sight.other_x[i] - sight.ball_x, sight.other_y[i] - sight.ball_y
+        away = max(length(x, y), 1e-6)
+        worth = lane_room(sight, k, x / away, y / away, away) - TURN_COST * misalignment(sight, x / away, y / away)
+        if sight.mate[i] == 1 and worth > best:
+            best, best_x, best_y, far = worth, x / away, y / away, away
+    return best_x, best_y, far
+
+
+@compiled
+def count_mates(sight):
+    """Return the number of team-mates whose places the player knows."""
+    return sight.mate[: sight.others].sum()
+
+
+@compiled
+def mate_by_distance(sight, number):
+    """Return the unit vector from the ball to a team-mate, 1 for the player's nearest, and the distance [m]."""
+    for i in range(sight.others):
+        if sight.mate[i] == 1 and nearer_mates(sight, i) == number - 1:
+            x, y = sight.other_x[i] - sight.ball_x, sight.other_y[i] - sight.ball_y
+            away = max(length(x, y), 1e-6)
+            return x / away, y / away, away
+    return sight.now_cosine, sight.now_sine, ALONE
+
+
+@compiled
+def nearer_mates(sight, i):
+    """Return the number of team-mates that are nearer to the player than the mate i."""
+    own, count = length(sight.other_x[i] - sight.x, sight.other_y[i] - sight.y), 0
+    for j in range(sight.others):
+        away = length(sight.other_x[j] - sight.x, sight.other_y[j] - sight.y)
+        if sight.mate[j] == 1 and (away < own or (away == own and j < i)):
+            count += 1
+    return count

@@ -13,7 +13,7 @@ def by_parts(mask) -> list[np.ndarray]:
 
 
 @pytest.mark.parametrize("infos", ["flat", "full", "nested"])
-@pytest.mark.parametrize("actions", ["discrete", "multi"])
+@pytest.mark.parametrize("actions", ["discrete", "multi", "skills"])
 @pytest.mark.parametrize("league", LEAGUES)
 def test_an_action_space_samples_by_the_mask_of_its_agent(league, actions, infos):
     env = soccer_v0.parallel_env(league=league, home=2, away=1, actions=actions, infos=infos, max_cycles=40)
@@ -52,7 +52,7 @@ def test_one_agent_at_a_time_has_its_mask_and_a_save_keeps_its_choice():
     assert env.unwrapped.match.state_hash() == other.unwrapped.match.state_hash()
 
 
-@pytest.mark.parametrize(("actions", "size"), [("discrete", 12), ("multi", 20)])
+@pytest.mark.parametrize(("actions", "size"), [("discrete", 12), ("multi", 20), ("skills", 26)])
 def test_the_vector_env_has_the_masks_of_all_matches_and_those_of_the_end(actions, size):
     for mode in ("NextStep", "SameStep"):
         envs = make_vector_env(3, actions=actions, max_cycles=5, autoreset_mode=mode)

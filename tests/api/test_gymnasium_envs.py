@@ -26,7 +26,7 @@ def test_gymnasium_accepts_it(league, home, away):
 
 
 @pytest.mark.parametrize(("league", "home", "away"), GAMES)
-@pytest.mark.parametrize("actions", ["box", "full", "discrete", "multi"])
+@pytest.mark.parametrize("actions", ["box", "full", "discrete", "multi", "skills"])
 def test_stable_baselines_accepts_it(league, home, away, actions):
     checker = pytest.importorskip("stable_baselines3.common.env_checker")
     checker.check_env(make_single_env(league, home, away, actions=actions))

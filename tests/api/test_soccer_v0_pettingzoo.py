@@ -27,7 +27,7 @@ def test_pettingzoo_accepts_it(league, home, away):
 
 
 @pytest.mark.parametrize("league", LEAGUES)
-@pytest.mark.parametrize("actions", ["box", "full", "discrete", "multi"])
+@pytest.mark.parametrize("actions", ["box", "full", "discrete", "multi", "skills"])
 def test_pettingzoo_accepts_every_kind_of_action(league, actions):
     from pettingzoo.test import api_test, max_cycles_test, parallel_api_test
 

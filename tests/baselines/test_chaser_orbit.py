@@ -6,7 +6,7 @@ import pytest
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.skills.approaching import choose_side_round
-from soccer_env.skills.memory import MEMORY
+from soccer_env.skills.settings import MEMORY
 
 LEGGED = "legged-2001"
 RADIUS = 0.25  # [m] of the way round the ball

@@ -122,7 +122,7 @@ def test_a_masked_kick_changes_nothing(league: str) -> None:
 
 def test_numbers_have_no_masks() -> None:
     match = Match(home=1, away=1, seed=1)
-    with pytest.raises(ValueError, match="actions in numbers have no masks: give actions='discrete' or 'multi', not"):
+    with pytest.raises(ValueError, match="no masks: give actions='discrete', 'multi' or 'skills', not"):
         match.action_masks()
     with pytest.raises(ValueError, match="not 'full'"):
         action_masks(ActionKind("full"), match.matches, match.robots, match.league)

@@ -93,7 +93,7 @@ BAD_SETTINGS = [
     ({"memory": {"ball_size": "depth"}}, "ball_size must be one of closer, height, width, got 'depth'"),
     ({"league": "middle-size-2006", "sensors": {"resolution": "88x72"}}, "unknown name 'resolution' in OmniSensors"),
     ({"senses": {"left": "ideal"}}, "keys home and away"),
-    ({"actions": "torque"}, "actions must be one of box, full, discrete, multi, got 'torque'"),
+    ({"actions": "torque"}, "actions must be one of box, full, discrete, multi, skills, got 'torque'"),
     ({"scene": "nowhere"}, "unknown scene 'nowhere'; known: kick-off"),
     ({"episode": "season"}, "episode must be one of match, goal, drill"),
     ({"episode": "drill"}, "needs a scene with a success test"),

@@ -234,8 +234,10 @@ def rule_in_words(value: bool | float) -> str:
 
 
 def actions() -> Iterator[Table]:
-    """Yield the tables of action kinds: continuous actions, the discrete set, and the choices of multi."""
+    """Yield the tables of action kinds: continuous actions, the discrete set, the choices of multi, and the skills."""
     from soccer_env.actions import BOX, DISCRETE, KICKS, LEVELS, MEANINGS
+    from soccer_env.skills.choices import MEANINGS as SKILL_MEANINGS
+    from soccer_env.skills.choices import SKILLS
 
     rows = [(name, meaning, "box, full" if name in BOX else "full") for name, meaning in MEANINGS.items()]
     yield Table("Actions: numbers in [-1, 1]", ("name", "meaning", "in"), rows)
@@ -243,6 +245,8 @@ def actions() -> Iterator[Table]:
     yield Table("Actions: discrete", ("", "name", *BOX), sets)
     rows = [(f"{n}", f"{level:g}", kick) for n, (level, kick) in enumerate(zip(LEVELS, KICKS, strict=True))]
     yield Table("Actions: multi, four indices", ("", "forward, left, turn", "kick"), rows)
+    rows = [(f"{n}", name, SKILL_MEANINGS[kind]) for n, (name, (kind, *_)) in enumerate(SKILLS.items())]
+    yield Table("Actions: skills", ("", "name", "meaning"), rows)
 
 
 def rewards() -> Iterator[Table]:

@@ -31,7 +31,8 @@ NOTES = {
     "in the column of rules, so a ball that nobody plays is dropped elsewhere and robots are moved for it where that "
     "rule is on. [Drills](../soccer_env/scenes/README.md) has a picture of each, and starts that training never draws.",
     "actions": 'Finite numbers outside [-1, 1] are clipped. `actions="box"` has the first four, `"full"` all seven, '
-    '`"discrete"` one of the twelve below, `"multi"` a choice for each of forward, left, turn and kick. What a 1 is '
+    '`"discrete"` one of the twelve below, `"multi"` a choice for each of forward, left, turn and kick, '
+    '`"skills"` one of the skills. What a 1 is '
     "in numbers: [leagues](leagues.md).",
 }
 

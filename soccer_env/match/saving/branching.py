@@ -68,9 +68,10 @@ class Branching:
         return WeakSet()
 
     def _use_squads(self, squads: list[Any]) -> None:
-        """Set the squads, and the rows of the robots whose teams read beliefs."""
+        """Set the squads, and the rows of the robots whose teams or skills read beliefs."""
         self.squads = squads
-        self._readers = np.array([r for squad in squads if squad.reads_beliefs for r in squad.players], np.int64)
+        readers = [r for squad in squads if squad.reads_beliefs for r in squad.players]
+        self._readers = self.batch.everyone if self.settings.actions.name == "skills" else np.array(readers, np.int64)
 
     def _take_up_added_teams(self) -> None:
         """Make squads for the teams that were added to lineups; ValueError if one needs sensors that nobody uses."""

@@ -26,6 +26,7 @@ def describe_settings(match: Match) -> dict[str, list[str]]:
     values |= {name: getattr(settings, name) for name in LENGTH} | {"limit": settings.limit}
     values["max_players"] = settings.max_players if settings.padded else None
     values[SENSED] = settings.describe()[SENSED]
+    values["actions"] = "skills" if settings.actions.name == "skills" else "commands"
     values["senses"] = dict(zip(("home", "away"), settings.senses, strict=True))
     league = values["league"]
     values |= {name: league.pop(name) for name in ("rules", "sensors", "memory")}

@@ -39,6 +39,8 @@ def parts(match: Match, memory: bool = True) -> dict[str, np.ndarray]:
         return arrays
     if match.batch.senses is not None:
         arrays |= match.batch.senses.parts
+    if match.skills is not None:
+        arrays["skills"] = match.skills.memory
     memories = {f"memory_{index}": squad.memory for index, squad in enumerate(match.squads)}
     chosen = {f"plays_{index}": squad.plays for index, squad in enumerate(match.squads) if squad.plays is not None}
     return {**arrays, **memories, **chosen}

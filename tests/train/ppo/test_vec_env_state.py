@@ -33,7 +33,7 @@ def under(env: SoccerVecEnv, actions: str) -> Match:
     return match
 
 
-@pytest.mark.parametrize("actions", ["box", "discrete", "multi"])
+@pytest.mark.parametrize("actions", ["box", "discrete", "multi", "skills"])
 def test_the_rows_of_both_sides_are_the_robots_of_each_match(actions: str) -> None:
     env = SoccerVecEnv(**SETTINGS, opponents=None, actions=actions)
     match, rng = under(env, actions), np.random.default_rng(1)
@@ -43,7 +43,7 @@ def test_the_rows_of_both_sides_are_the_robots_of_each_match(actions: str) -> No
     for _ in range(8):
         assert (seen == match.observations.reshape(9, -1)).all()
         chosen = rng.integers(0, 5, (9, 4)) if actions == "multi" else rng.uniform(-1, 1, (9, 4))
-        chosen = rng.integers(0, len(DISCRETE), 9) if actions == "discrete" else chosen
+        chosen = rng.integers(0, len(DISCRETE), 9) if actions in ("discrete", "skills") else chosen
         if actions != "box":
             masks = np.stack(env.env_method("action_masks"))
             assert (masks == match.action_masks().reshape(9, -1)).all() and masks.dtype == np.int8

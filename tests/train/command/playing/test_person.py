@@ -141,7 +141,7 @@ def test_a_held_key_shoots_a_goal(league: str) -> None:
 
 @pytest.mark.parametrize("league", LEAGUES)
 def test_a_held_key_passes_to_the_mate(league: str) -> None:
-    match = new_match(league, controllers={"home": "chaser", "away": "still"})
+    match = new_match(league, keeper=1, controllers={"home": "chaser", "away": "still"})
     size = match.league.pitch.length
     place(match, 0, -0.12 * size, 0.0)
     place(match, 1, 0.0, 0.2 * size, -pi / 2)
