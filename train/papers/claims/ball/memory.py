@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match import Match
-from soccer_env.train.papers.claim import Ablation, Batch, claim
+from soccer_env.train.papers.claim import Ablation, Batch, claim, compare
 from soccer_env.train.papers.plots import plot
 from soccer_env.train.papers.staging import (
     OPEN_FLOOR,
@@ -43,14 +43,6 @@ def ball_errors(match: Match) -> Samples:
     return {"place": np.hypot(x, y), "range": np.abs(ball["distance"] - true), "bearing": off}
 
 
-def errors_after(match: Match, seconds: float, actions: np.ndarray) -> Samples:
-    """Play for `seconds` and close the matches; return the errors of the believed ball at the end."""
-    for _ in play(match, seconds, actions):
-        pass
-    match.close()
-    return ball_errors(match)
-
-
 def look_at_ball(batch: Batch, **memory: Any) -> Match:
     """Set up matches whose robots have watched a still ball beside their path for SEEN [s]."""
     rng = batch.rng()
@@ -76,11 +68,7 @@ def walk_blind(batch: Batch, odometry: str) -> Iterator[Match]:
 
 def compare_memories(batch: Batch) -> Samples:
     """Return the errors of the remembered ball (M,) at the end of blind walks, for each of VARIANTS."""
-    samples: Samples = {}
-    for variant in VARIANTS:
-        *_, match = walk_blind(batch, variant)
-        samples |= {f"{name} {variant}": errors for name, errors in ball_errors(match).items()}
-    return samples
+    return compare({name: name for name in VARIANTS}, lambda memory: ball_errors([*walk_blind(batch, memory)][-1]))
 
 
 def roll_balls(batch: Batch, seen: bool) -> Samples:
@@ -120,7 +108,10 @@ def dribble_unseen_ball(batch: Batch, update: bool, turn: float) -> np.ndarray:
     blind_cameras(match)
     actions = still_actions(match)
     actions[:, 0, 0], actions[:, 0, 2] = DRIBBLE / SPEED, turn
-    return errors_after(match, PUSHED, actions)["place"]
+    for _ in play(match, PUSHED, actions):
+        pass
+    match.close()
+    return ball_errors(match)["place"]
 
 
 def compare_dribbling(batch: Batch, turn: float = 0.0) -> Samples:

@@ -34,7 +34,6 @@ FINE = {"resolution": "176x144", "dither": 0.0, "scale_error": 0.0, "ball_miss":
 PLAIN = {"patches": 0.0, "red_as_orange": 0.0}  # nothing but the ball is orange
 CUT = 0.9  # [1] a dimension counts as cut if less than this share is visible; a pixel is up to 5 % of it
 HIDDEN = (0.0, 0.05, 0.25, 0.50, 0.75)  # [1] edges of the hidden share of the picture
-WELL_BEFORE = 0.10  # [m] before the ball's middle: two of its radii and the ranger's error
 
 Scene = dict[str, np.ndarray]
 
@@ -112,7 +111,7 @@ def watch_scene(batch: Batch, scene: Scene, others: bool, staring: bool, memory:
     """Return relative errors of the range (M, T) in frames that show the ball, and true ranges from the camera [m].
 
     Heads are first turned to the true ball; then, unless `staring`, they track the believed ball. "centred": the
-    camera's axis meets the ball; "short": the infrared ranger reads less than the ball's distance by WELL_BEFORE.
+    camera's axis meets the ball.
     """
     match = set_up(batch, scene, others, sensors=PLAIN, memory=memory)
     actions, dt = staging.still_actions(match), match.league.dt
@@ -123,13 +122,12 @@ def watch_scene(batch: Batch, scene: Scene, others: bool, staring: bool, memory:
             stare_at_ball(match, actions)
 
     def read() -> Samples:
-        ball, infrared = match.beliefs["ball"][:, 0], match.percepts["infrared"][:, 0]
+        ball = match.beliefs["ball"][:, 0]
         (distance, angle), ground, seen = ball_in_sight(match), range_from_camera(match), ball["age"] < 0.5 * dt
         return {
             "error": np.where(seen, (ball["distance"] - staging.distance_to_ball(match)[0]) / ground, np.nan),
             "believed": np.where(seen, ball["distance"], np.nan), "range": ground,
             "centred": seen & (angle < ball_angle(match, distance)),
-            "short": (infrared > 0.0) & (infrared < distance - WELL_BEFORE),
         }  # fmt: skip
 
     return staging.record(match, staging.watch(match, SECONDS, actions, SETTLE, steer), read)
@@ -203,20 +201,15 @@ HIDDEN_FAR = 0.60  # [m] range along the ground from the camera
 def compare_infrared_rule(batch: Batch) -> Samples:
     """Return range errors (M, T) [m] of balls cut in width and height, infrared rule on and off, and false triggers.
 
-    "on", "off": visible shares below DEEP, camera's axis on the ball; "all ...": shares below DEEP, all frames with the
-    ball; "mild ...": shares below CUT, axis on the ball. "triggers": readings that the rule changes on free balls.
+    "on", "off": visible shares below DEEP, camera's axis on the ball; "triggers": changed readings of free balls.
     """
     scene = draw_scene(batch)
     width, height, _ = visible_shares(batch, scene)
     samples = {}
     for name, rule in (("on", True), ("off", False)):
         seen = watch_scene(batch, scene, True, False, OLD | {"infrared_override": rule})
-        error, near = np.abs(seen["error"] * seen["range"]), seen["range"] <= HIDDEN_FAR
-        deep, mild = (((width < share) & (height < share))[:, None] & near for share in (DEEP, CUT))
-        samples[name] = np.where(deep & seen["centred"], error, np.nan)
-        samples[f"all {name}"] = np.where(deep, error, np.nan)
-        samples[f"mild {name}"] = np.where(mild & seen["centred"], error, np.nan)
-        samples[f"short {name}"] = np.where(deep & seen["centred"], seen["short"], np.nan)
+        deep = ((width < DEEP) & (height < DEEP))[:, None] & (seen["range"] <= HIDDEN_FAR)
+        samples[name] = np.where(deep & seen["centred"], np.abs(seen["error"] * seen["range"]), np.nan)
         samples[f"free {name}"] = watch_scene(batch, scene, False, True, OLD | {"infrared_override": rule})["believed"]
     judged = np.isfinite(samples["free off"])
     samples["triggers"] = (judged & (np.abs(samples["free on"] - samples["free off"]) > 1e-6)).sum(axis=1)
@@ -231,12 +224,7 @@ S09 = claim(
     "which the camera's axis meets the ball; and the same balls unobstructed, at the centre, for false triggers.",
     measured("mean error with the rule over that without", ratio, "on", "off", at_most=0.5),
     counted("unobstructed frames in which the rule changes the range", "triggers", "judged", at_most=2.0),
-    reported("the first ratio in all frames of these balls", ratio, "all on", "all off"),
-    reported(f"the first ratio of balls of which less than {100 * CUT:.0f} % is left in both", ratio, "mild on",
-             "mild off"),
     reported("mean error without the rule", "off", unit="cm"),
-    reported("the same in all frames of these balls", "all off", unit="cm"),
-    reported("frames in which the ranger reads something more than 10 cm before the ball", "short off", unit="%"),
     reported("frames of hidden balls that count", lambda samples: float(len(known(samples["off"])))),
     measure=compare_infrared_rule, least=4,
     ingredients=("sensors.infrared_pointing, infrared_growth", "memory.centred", "belief/legged/head.py"),

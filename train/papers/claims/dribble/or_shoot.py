@@ -16,10 +16,6 @@ MATCHES, SECONDS = 24, 60.0  # [s] of a run, until the first goal of either side
 SCENE = "dribble-past-three"  # three standing players on the way to the goal
 STRATEGIES: dict[str, dict[str, Any]] = {"dribble": {}, "orbit and shoot": {"avoidance": False}}
 BLOCKERS = {"": "chaser", " still": "still", " alone": None}  # suffix of the samples: team; None: no blockers
-MORE: dict[str, dict[str, Any]] = {
-    "dribble, no shots": {"shoots": False},
-    "dribble, choose_shots": {"choose_shots": True},
-}
 
 
 def play_to_goal(batch: Batch, settings: dict[str, Any], blockers: str | None) -> Samples:
@@ -52,9 +48,8 @@ def play_to_goal(batch: Batch, settings: dict[str, Any], blockers: str | None) -
 
 
 def compare_strategies(batch: Batch) -> Samples:
-    """Return goals, goals against, progress and end times of both strategies by kind of blockers, and of MORE."""
+    """Return goals, goals against, progress and end times of both strategies by kind of blockers."""
     plan = {f"{name}{where}": (how, team) for name, how in STRATEGIES.items() for where, team in BLOCKERS.items()}
-    plan |= {name: (how, BLOCKERS[""]) for name, how in MORE.items()}
     return compare(plan, lambda how: play_to_goal(batch, *how))
 
 
@@ -77,8 +72,8 @@ S31 = claim(
     "(avoidance=False: from anywhere, whoever stands there). Beside it against three who stand, and with nobody there.",
     measured("goals, dribbling less orbit and shoot, blockers after the ball", dribbling_advantage, "goals",
              unit="%", above=0.0),
-    *(reported(f"goals, {name}", f"goals {name}", unit="%") for name in (*STRATEGIES, *MORE)),
-    *(reported(f"goals against, {name}", f"against {name}", unit="%") for name in (*STRATEGIES, *MORE)),
+    *(reported(f"goals, {name}", f"goals {name}", unit="%") for name in STRATEGIES),
+    *(reported(f"goals against, {name}", f"against {name}", unit="%") for name in STRATEGIES),
     reported("ball's progress, dribbling less orbit and shoot", dribbling_advantage, "progress", unit="cm"),
     reported("blockers stand: goals, dribbling less orbit and shoot", dribbling_advantage, "goals", " still", unit="%"),
     reported("blockers stand: ball's progress, dribbling less orbit and shoot", dribbling_advantage, "progress",

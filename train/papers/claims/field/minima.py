@@ -1,6 +1,6 @@
 """Local minima, remaining indecision, and a stronger preference for the present side.  [Sacks 2001, 4.3.3, 5]"""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 import numpy as np
@@ -127,19 +127,14 @@ S68 = claim(
 
 PATIENCE = (0, 1, 2, 4, 8)  # decisions for which a change of side has to last
 ANGLES = (135.0, 90.0, 45.0, 0.0)  # [degrees] beyond which the side is kept
-MOVERS = {"comes": "one comes", "both": "one comes, one stands on the other side", "crosses": "one crosses"}
-PAPERS = ("comes", "both")  # the classes in the paper
+MOVERS = {"comes": "one comes", "both": "one comes, one stands on the other side"}  # the classes in the paper
 
 
 def collide_with_movers(batch: Batch) -> Samples:
     """Return whether points collide (M,) in each class of scenes with a mover, for each patience and angle."""
     rng, samples = batch.rng(), {}
     start = points.starts(rng)
-    for scene, crowd in (
-        ("comes", points.approaching_player(rng)),
-        ("both", points.players_on_both_sides(rng)),
-        ("crosses", points.crossing_player(rng)),
-    ):
+    for scene, crowd in (("comes", points.approaching_player(rng)), ("both", points.players_on_both_sides(rng))):
         for name, values in (("patience", PATIENCE), ("keep_side_angle", ANGLES)):
             for value in values:
                 play = {name: np.radians(value) if name == "keep_side_angle" else value}
@@ -148,12 +143,12 @@ def collide_with_movers(batch: Batch) -> Samples:
     return samples
 
 
-def collision_share(samples: Samples, name: str, value: float, scenes: Sequence[str] = PAPERS) -> float:
+def collision_share(samples: Samples, name: str, value: float, scenes: Iterable[str] = MOVERS) -> float:
     """Return the share of runs with a collision [%] at a value of the setting `name`, over classes of scenes."""
     return 100 * mean([samples[f"{scene} {name} {value:g}"] for scene in scenes])
 
 
-def collision_increase(samples: Samples, name: str, values: Sequence[float], scenes: Sequence[str] = PAPERS) -> float:
+def collision_increase(samples: Samples, name: str, values: Sequence[float], scenes: Iterable[str] = MOVERS) -> float:
     """Return the share of runs with a collision [pp] at the last value minus the share at the first value."""
     return collision_share(samples, name, values[-1], scenes) - collision_share(samples, name, values[0], scenes)
 

@@ -76,15 +76,6 @@ def players_on_both_sides(rng: np.random.Generator) -> np.ndarray:
     return players(np.stack([stands, comes], axis=1), np.stack([0.0 * velocity, velocity], axis=1))
 
 
-def crossing_player(rng: np.random.Generator) -> np.ndarray:
-    """Return a player (M, 1) that crosses the straight path within 3 s of the dribbler's arrival at the crossing."""
-    x, side = rng.uniform(-0.5, 0.2, SCENES), rng.choice([-1.0, 1.0], SCENES)
-    when = (x - START) / 0.07 + rng.uniform(-3.0, 3.0, SCENES)
-    velocity = velocities_towards(np.zeros((SCENES, 2)), np.stack([rng.uniform(-0.6, 0.0, SCENES), side], axis=-1), rng)
-    place = np.stack([x, np.zeros(SCENES)], axis=-1) - when[:, None] * velocity
-    return players(place[:, None], velocity[:, None])
-
-
 def velocities_towards(place: np.ndarray, goal: np.ndarray, rng: np.random.Generator) -> np.ndarray:
     """Return velocities (M, 2) from places towards goals, with random speeds within SPEEDS."""
     way = goal - place

@@ -8,7 +8,6 @@ import numpy as np
 from soccer_env.match import Match
 from soccer_env.scenes import find_scene
 from soccer_env.train.papers.claim import FIRST, PLAYED, Batch, claim, compare
-from soccer_env.train.papers.claims.goalkeeping.saves import FIT
 from soccer_env.train.papers.staging import MIDDLE, make_matches
 from soccer_env.train.papers.values import mean, median
 from soccer_env.train.papers.verdicts import Samples, measured, reported
@@ -20,7 +19,6 @@ KICKED = 2.6  # [m/s] of a ball faster than robots
 SEEN = 0.1  # [s] greatest age of a belief that counts
 APART = 0.5  # [m] greatest distance of a track from the robot that it stands for
 THIRD = 100.0 / 3.0  # [%] of a speed that an accurate velocity errs by at most, assumed
-FILTERS: dict[str, dict[str, Any]] = {"": {}, "fit ": FIT}  # the team's own, a fit over five frames
 
 
 def turned(x: Any, y: Any, heading: Any) -> tuple[np.ndarray, np.ndarray]:
@@ -57,22 +55,19 @@ def velocity_errors(match: Match) -> dict[str, np.ndarray]:
 
 
 def watch_velocities(batch: Batch) -> Samples:
-    """Return the median relative errors (M, robots) of each robot's believed velocities in play, for each filter."""
-    samples: Samples = {}
-    for prefix, memory in FILTERS.items():
-        match = make_matches(
-            batch, MIDDLE, batch.play_rules, matches=MATCHES, home=5, away=5, senses="sensors", memory=memory,
-            controllers={"home": "heinemann-2006", "away": "chaser"},
-        )  # fmt: skip
-        rows: dict[str, list[np.ndarray]] = {}
-        for step in range(round((SETTLE + SECONDS) * match.league.control_rate)):
-            match.step()
-            if step >= SETTLE * match.league.control_rate and step % EVERY == 0:
-                for name, error in velocity_errors(match).items():
-                    rows.setdefault(name, []).append(error.reshape(MATCHES, -1))
-        match.close()
-        samples |= {f"{prefix}{name}": np.concatenate(errors, axis=1) for name, errors in rows.items()}
-    return samples
+    """Return the relative errors (M, robots and samples) of each robot's believed velocities in play."""
+    match = make_matches(
+        batch, MIDDLE, batch.play_rules, matches=MATCHES, home=5, away=5, senses="sensors",
+        controllers={"home": "heinemann-2006", "away": "chaser"},
+    )  # fmt: skip
+    rows: dict[str, list[np.ndarray]] = {}
+    for step in range(round((SETTLE + SECONDS) * match.league.control_rate)):
+        match.step()
+        if step >= SETTLE * match.league.control_rate and step % EVERY == 0:
+            for name, error in velocity_errors(match).items():
+                rows.setdefault(name, []).append(error.reshape(MATCHES, -1))
+    match.close()
+    return {name: np.concatenate(errors, axis=1) for name, errors in rows.items()}
 
 
 H29 = claim(
@@ -83,9 +78,6 @@ H29 = claim(
     measured("ball", "ball", of=median, unit="%", at_most=THIRD),
     measured("opponents", "robots", of=median, unit="%", at_most=THIRD),
     reported("balls faster than robots", "kicked", of=median, unit="%"),
-    reported("ball, with a fit over five frames", "fit ball", of=median, unit="%"),
-    reported("balls faster than robots, with that fit", "fit kicked", of=median, unit="%"),
-    reported("opponents, with that fit", "fit robots", of=median, unit="%"),
     rules=PLAYED, measure=watch_velocities, batches=4, seconds=3.0,
     ingredients=("memory.ball_agility, player_agility: leagues/omni_sensors.py",),
 )  # fmt: skip

@@ -17,7 +17,7 @@ from soccer_env.train.papers.claims.players.grouping import TILT, ghosts_and_mis
 from soccer_env.train.papers.plots import Drawing, columns, part, plot
 from soccer_env.train.papers.staging import OPEN_FLOOR, begin_scene, play, still_actions
 from soccer_env.train.papers.true_sight import turn_head
-from soccer_env.train.papers.values import mean, median, rms, subtract_row_mean
+from soccer_env.train.papers.values import mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 MATCHES = 64
@@ -32,7 +32,6 @@ POWERS = {  # of distance and angle in the likelihood
     "U/(d a)": (1.0, 1.0),
     "U/(d^3 a)": (3.0, 1.0),
 }
-STEADY = 0.08  # [1] greatest scatter of the range of a "steady" run
 ONE_PLAYER = 1e6  # grouping factor by which all blobs of a colour are one player
 EVERY, POINTS = 8, 60  # frames between two points of the figure, and their number
 FIRST, FINAL = "U/d", "U/(d^3 a)"  # the first and the final likelihood of the paper
@@ -41,14 +40,10 @@ MISSES: dict[str, dict[str, float]] = {  # things that frames miss
     "5 % of the stickers": {"sticker_miss": 0.05, "player_miss": 0.0},
     "5 % of the players": {"sticker_miss": 0.0, "player_miss": 0.05},
 }
-ONE_STICKER = {"trunk_stickers": 1, "sticker_miss": 0.05, "player_miss": 0.0}  # on each side of the trunk
 
 
-def stare_at_one(batch: Batch, sensors: dict[str, float], **memory: Any) -> dict[str, np.ndarray]:
-    """Let robot 0 look at three opponents in turn, then for SECONDS at one of them alone; return arrays (M, T).
-
-    "filled": number of slots filled since then, ideally one; "range": relative scatter of the believed range [1].
-    """
+def stare_at_one(batch: Batch, sensors: dict[str, float], **memory: Any) -> np.ndarray:
+    """Let robot 0 look at three opponents in turn, then for SECONDS at one alone; return slots filled since (M, T)."""
     rng = batch.rng()
     match = watching.stage_watchers(batch, MATCHES, away=3, league=OPEN_FLOOR, sensors=sensors, memory=memory)
     for r, low, high in ((1, -AHEAD, AHEAD), (2, *ASIDE), (3, -ASIDE[1], -ASIDE[0])):
@@ -61,17 +56,12 @@ def stare_at_one(batch: Batch, sensors: dict[str, float], **memory: Any) -> dict
         for _ in play(match, LOOK, actions):
             pass
     filled: list[np.ndarray] = []
-    seen: list[np.ndarray] = []
     for step in play(match, SECONDS, actions):
         slots = watching.slots_of(match)
         since = (step + 0.5) * match.league.dt
         filled.append(((slots["present"] == 1) & (slots["age"] < since)).sum(axis=1))
-        nearest = np.where(watching.is_fresh(match, slots), slots["distance"], np.inf).min(axis=1)
-        seen.append(np.where(np.isfinite(nearest), nearest, np.nan))
     match.close()
-    ranges = np.stack(seen, axis=1)
-    middle = np.array([median(run) for run in ranges])
-    return {"filled": np.stack(filled, axis=1), "range": subtract_row_mean(ranges) / middle[:, None]}
+    return np.stack(filled, axis=1)
 
 
 def compare_likelihoods(batch: Batch) -> Samples:
@@ -81,35 +71,24 @@ def compare_likelihoods(batch: Batch) -> Samples:
     """
     samples: Samples = {}
     for name, (distance, angle) in POWERS.items():
-        runs = stare_at_one(batch, {}, distance_power=distance, angle_power=angle, grouping=ONE_PLAYER)
-        samples[name] = (runs["filled"] >= 2).mean(axis=1)
-        samples[f"all {name}"] = (runs["filled"] >= 3).mean(axis=1)
-        samples[f"course {name}"] = runs["filled"][:, ::EVERY] >= 2
+        filled = stare_at_one(batch, {}, distance_power=distance, angle_power=angle, grouping=ONE_PLAYER)
+        samples[name] = (filled >= 2).mean(axis=1)
+        samples[f"all {name}"] = (filled >= 3).mean(axis=1)
+        samples[f"course {name}"] = filled[:, ::EVERY] >= 2
     return samples
 
 
 def compare_misses(batch: Batch) -> Samples:
-    """Return the share of time (M,) in which one opponent holds two slots or more, in each case of MISSES.
-
-    "steady": by the final likelihood in runs whose ranges hardly scatter; "grouped": with blobs grouped as usual;
-    "one sticker": with one sticker on each side of the trunk, and 5 % of the stickers missed.
-    """
+    """Return the share of time (M,) in which one opponent holds two slots or more, in each case of MISSES."""
     samples: Samples = {}
     for name in (FIRST, FINAL):
-        (distance, angle), courses, steady = POWERS[name], [], []
+        (distance, angle), courses = POWERS[name], []
         for missed, sensors in MISSES.items():
-            runs = stare_at_one(batch, sensors, distance_power=distance, angle_power=angle, grouping=ONE_PLAYER)
-            held = runs["filled"] >= 2
-            samples[f"{name}, {missed}"] = held.mean(axis=1)
-            samples[f"all {name}, {missed}"] = (runs["filled"] >= 3).any(axis=1).astype(float)
-            samples[f"range, {missed}"] = runs["range"]
-            courses.append(held[:, ::EVERY])
-            scatter = np.array([rms(run) for run in runs["range"]])
-            steady.append(np.where(scatter <= STEADY, held.mean(axis=1), np.nan))
-        samples[f"course {name}"], samples[f"steady {name}"] = np.stack(courses, axis=1), np.stack(steady, axis=1)
-    one = stare_at_one(batch, ONE_STICKER, grouping=ONE_PLAYER)
-    samples["one sticker"] = (one["filled"] >= 2).mean(axis=1)
-    samples["grouped"] = (stare_at_one(batch, {})["filled"] >= 2).mean(axis=1)
+            filled = stare_at_one(batch, sensors, distance_power=distance, angle_power=angle, grouping=ONE_PLAYER)
+            samples[f"{name}, {missed}"] = (filled >= 2).mean(axis=1)
+            samples[f"all {name}, {missed}"] = (filled >= 3).any(axis=1).astype(float)
+            courses.append(filled[:, ::EVERY] >= 2)
+        samples[f"course {name}"] = np.stack(courses, axis=1)
     return samples
 
 
@@ -141,11 +120,6 @@ S35 = claim(
     measured("U/(d^3 angle): time with one slot alone", lambda s: 100 - max(by_case(s, FINAL)), unit="%", above=50.0),
     reported("U/d: two slots or more, at the least", lambda s: min(by_case(s, FIRST)), unit="%"),
     *(reported(f"U/(d^3 angle), missed: {missed}", f"{FINAL}, {missed}", unit="%") for missed in MISSES),
-    reported("U/(d^3 angle), runs whose ranges scatter by 8 % or less", f"steady {FINAL}", unit="%"),
-    reported("U/(d^3 angle), one sticker on a side, 5 % missed", "one sticker", unit="%"),
-    reported("U/(d^3 angle) with blobs grouped by factor 3", "grouped", unit="%"),
-    reported("scatter of a frame's range", "range, 5 % of the stickers", of=rms, unit="%"),
-    reported("the same, nothing missed", "range, nothing", of=rms, unit="%"),
     measure=compare_misses, figures=plot_slots(FIRST, FINAL), batches=10, seconds=6.0,
     ingredients=("memory.uncertainty_growth, assumed", "memory.ghost_time, assumed", "sensors.dither"),
     note="Where a frame misses all of the trunk's stickers, the one of the head is the largest blob that is left, the "

@@ -1,18 +1,15 @@
 """The movement of a player between an early sighting and the encounter.  [Sacks 2001, 4.3.1]"""
 
 from functools import partial
-from typing import Any
 
 import numpy as np
 
 from soccer_env.match import Match
 from soccer_env.train.papers.claim import Batch, claim
-from soccer_env.train.papers.claims.field.points import NO_CUT_OFF
 from soccer_env.train.papers.claims.players.watching import look_at, nearest_seen, stage_watchers
-from soccer_env.train.papers.dribble_runs import play_drill
 from soccer_env.train.papers.plots import columns, plot
 from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, put, still_actions
-from soccer_env.train.papers.values import bin_masks, gain, least_rise, median, middles_of
+from soccer_env.train.papers.values import bin_masks, least_rise, median, middles_of
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 SCENES = 64
@@ -27,9 +24,6 @@ CUT_OFF = 1.0  # [m] beyond which obstacles exert no force, 4.3.2
 LOOK = 1.0  # [s] for the head to find the mover
 KEPT = 3.0  # [s] for which a mover keeps its turn, assumed
 TURN = 0.5  # [1] greatest of the top turn rate, assumed
-FAR_DRILL = "dribble-past-mover-far"  # its mover walks in from 110 to 150 cm
-RUNS = 24  # of the drill with each setting in a batch
-CUT_OFFS: dict[str, dict[str, Any]] = {"with": {}, "without": NO_CUT_OFF, "unmatched": {"cut_off": False}}
 
 
 def draw_scenes(batch: Batch) -> tuple[np.ndarray, ...]:
@@ -65,20 +59,6 @@ def walk_off(batch: Batch) -> Samples:
     match.close()
     samples = {"distance": distance, "error": off[arrival, rows], "first": off[0]}
     return {name: values.reshape(SCENES, len(SPEEDS)) for name, values in samples.items()}
-
-
-def walk_off_and_pass(batch: Batch) -> Samples:
-    """Let movers walk off; let a robot dribble past a far mover with the forces' cut-off and without ("with clean").
-
-    Without the cut-off k2 is matched: a force is 1 at the same distance; "unmatched" keeps k2. NaN in
-    scenes without a dribbler.
-    """
-    samples = walk_off(batch)
-    for name, cut_off in CUT_OFFS.items():
-        runs = play_drill(batch, FAR_DRILL, cut_off, RUNS)
-        for key in ("clean", "past"):
-            samples[f"{name} {key}"] = np.concatenate([runs[key], np.full(SCENES - RUNS, np.nan)])
-    return samples
 
 
 def walk_mover(match: Match, actions: np.ndarray, seconds: float, rng: np.random.Generator) -> np.ndarray:
@@ -123,18 +103,10 @@ S70 = claim(
     reported("at top speed, seen from within 1 m", error_at_speed, SPEEDS[-1], False, unit="cm"),
     reported("at top speed, seen from beyond 1 m", error_at_speed, SPEEDS[-1], True, unit="cm"),
     reported("of players that stand, beyond 1 m: the sensors' part", error_at_speed, 0.0, True, unit="cm"),
-    reported("past a far mover without a touch, with the cut-off", "with clean", unit="%"),
-    reported("past a far mover untouched, with the cut-off less without", gain, "with clean", "without clean",
-             unit="pp"),
-    reported("past it, touched or not, with the cut-off less without", gain, "with past", "without past", unit="pp"),
-    reported("untouched, less with the same k2 and no cut-off", gain, "with clean", "unmatched clean", unit="pp"),
-    measure=walk_off_and_pass,
+    measure=walk_off,
     figures=plot("Error of a player's place when one gets there", "distance when seen [cm]", "error [cm]",
                  middles_of(BINS, 100),
                  {f"{100 * speed:.0f} cm/s": partial(error_by_distance, speed=speed) for speed in SPEEDS}),
     batches=10, seconds=6.0,
     ingredients=("the movers' way: constant speed, turns that change every 3 s, boards",),
-    note="The cut-off, of which another sentence speaks (S45), is tried by the team without shots that dribbles past "
-    "the mover of a drill, who walks in at 6 cm/s from beyond it; without the cut-off k2 is such that a force is 1 at "
-    "444 mm as well, but weaker nearer than that. What is lost is small: bodies graze, hardly a run fails to get past.",
 )  # fmt: skip

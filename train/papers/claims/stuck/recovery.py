@@ -19,12 +19,6 @@ CLEAR = 10.0  # [s] after a recovery without being held again that count as clea
 FREE = 10.0  # [s] for a robot to get free: S29
 FEW = 3  # tries: S29
 QUICK: dict[str, Any] = {"stuck_count": 5, "near_time": 1.0}  # readings, [s]: with these most notice soon: S29
-SITUATIONS = {  # in which robots are held: S29
-    "ball still, nearer than 35 cm": {"still": 1.0, "near": 1.0},
-    "ball moved, nearer": {"still": 0.0, "near": 1.0},
-    "ball farther": {"near": 0.0},
-    "an opponent has it": {"theirs": 1.0},
-}
 SCENE = (
     f"Robots that others hold on their way to the ball (contact, a quarter of the way that their legs walk for 1.5 s) "
     f"in 3 v 3 play, {MATCHES} matches a batch of {SECONDS:g} s; from there on they recover at once, as if they had "
@@ -128,29 +122,21 @@ def compare_recoveries(batch: Batch) -> Samples:
         for name in ("freed", "got"):
             samples[f"{name} {word}"] = np.where(there, np.nan_to_num(fate[name], nan=np.inf), np.nan)
         samples[f"goals {word}"], samples[f"tries {word}"] = fate["goals"], fate["tries"]
-    for name in ("still", "near", "theirs"):
-        samples[name] = variants["on"][name]
     few_tries = count_hits(variants["begun"], lambda f: np.isfinite(f["freed"]) & (f["tries"] <= FEW))
     samples["one"], samples["few"] = few_tries
     return samples
 
 
-def share_within(samples: Samples, name: str, seconds: float, flags: dict[str, float]) -> float:
-    """Return the share [%] of robots with the given flags that are free, or have the ball, within `seconds`."""
+def share_within(samples: Samples, name: str, seconds: float) -> float:
+    """Return the share [%] of robots that are free, or have the ball, within `seconds`."""
     times = samples[name]
-    for flag, value in flags.items():
-        times = np.where(samples[flag] == value, times, np.nan)
     return 100.0 * mean(np.where(np.isnan(times), np.nan, times <= seconds))
 
 
-def recovery_gain(
-    samples: Samples, name: str = "freed", word: str = "begun", flags: dict[str, float] | None = None
-) -> float:
+def recovery_gain(samples: Samples, name: str = "freed", word: str = "begun") -> float:
     """Return the share of robots free, or with the ball, with a recovery minus the share without a recovery [pp]."""
     seconds = FREE if name == "freed" else FUTURE
-    return share_within(samples, f"{name} {word}", seconds, flags or {}) - share_within(
-        samples, f"{name} off", seconds, flags or {}
-    )
+    return share_within(samples, f"{name} {word}", seconds) - share_within(samples, f"{name} off", seconds)
 
 
 def repeated_recovery_share(samples: Samples) -> float:
@@ -167,16 +153,13 @@ S29 = claim(
     measured("cases that take more than one try, until it has the ball", repeated_recovery_share, unit="%",
              at_least=5.0),
     measured("free within 10 s: recovering less pushing on", recovery_gain, unit="pp", above=0.0),
-    reported("free within 10 s, pushing on", share_within, "freed off", FREE, {}, unit="%"),
+    reported("free within 10 s, pushing on", share_within, "freed off", FREE, unit="%"),
     reported("when they notice by themselves: free within 10 s, less pushing on", partial(recovery_gain, word="on"),
              unit="pp"),
     reported("noticing after 5 readings and 1 s near the ball: free within 10 s, less pushing on",
              partial(recovery_gain, word="quick"), unit="pp"),
     reported("the same: ball got, less pushing on", recovery_gain, "got", "quick", unit="pp"),
-    *(reported(f"{title}: free within 10 s, recovering less pushing on", partial(recovery_gain, flags=flags),
-               unit="pp") for title, flags in SITUATIONS.items()),
-    *(reported(f"{title}: ball got, recovering less pushing on", partial(recovery_gain, name="got", flags=flags),
-               unit="pp") for title, flags in {"all": {}, **SITUATIONS}.items()),
+    reported("all: ball got, recovering less pushing on", recovery_gain, "got", unit="pp"),
     reported("goals in 100, recovering less pushing on",
              lambda s: 100.0 * (mean(s["goals begun"]) - mean(s["goals off"]))),
     rules=PLAYED_AND_STAGED, measure=compare_recoveries, condition="where the recovery is begun for the robot",
