@@ -5,6 +5,7 @@ benchmark.py   the rows of the report as medians of interleaved timings, and a d
 loads.py       timed loads: the core in random and chaser play, the physics alone, pictures with overlays
 plans.py       timed loads: one pass and one plan of the middle-size planner, and its team
 apis.py        memory of a match, start-up times, and loads that take turns
+profile.py     --profile: the time of each mechanism in a match step
 against.py     --against: the ratio of two checkouts' times, with its interval
 peers.py       --peers: the ratio to other environments, which pip installs
 peer_worker.py the process that times one of them, or both leagues beside it
@@ -17,10 +18,11 @@ from typing import Any
 
 def measure_speed(settings: Any) -> tuple[dict[str, Any], Callable[[dict[str, Any]], Any]]:
     """Run the measurement that BenchSettings ask for; return its report, and the function that draws it as a table."""
-    from soccer_env.train.bench import against, benchmark, peers
+    from soccer_env.train.bench import against, benchmark, peers, profile
 
     if settings.against is not None:
         return against.compare_checkouts(settings), against.screen_table
     if settings.peers:
         return peers.compare_peers(settings), peers.screen_table
-    return benchmark.run_benchmark(settings), benchmark.screen_table
+    run = profile.profile_step if settings.profile else benchmark.run_benchmark
+    return run(settings), benchmark.screen_table

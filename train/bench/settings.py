@@ -20,6 +20,8 @@ class BenchSettings(CommandSettings):
     """Print the results as JSON, as --out holds them, instead of tables."""
     seed: int = 0
     """Seed of the timed matches."""
+    profile: bool = False
+    """Print instead the time of each mechanism in a match step, and its share: chaser against chaser, by sensors."""
     against: Path | None = None
     """Compare with another checkout of this repository in this folder, such as one made by `git worktree add`: time
     each row in both checkouts by turns and print the ratio with its 95 % interval; above 1 means slower here. Times are
@@ -35,8 +37,8 @@ class BenchSettings(CommandSettings):
         super().__post_init__()
         if self.against is not None and not self.against.is_dir():
             raise ValueError(f"against must be the folder of a checkout, got {self.against}")
-        if self.peers and self.against is not None:
-            raise ValueError("peers are timed beside this checkout alone: give peers or against")
+        if self.profile + self.peers + (self.against is not None) > 1:
+            raise ValueError("profile measures this checkout alone: give profile or against, or peers")
         if self.rows and self.against is None and not self.peers:
             raise ValueError("rows chooses among the rows of a comparison: give against as well, or peers")
 

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from soccer_env.physics.engine import reference
-from soccer_env.train.bench import against, worker
+from soccer_env.train.bench import against, profile, worker
 from soccer_env.train.bench import apis as bench_faces
 from soccer_env.train.bench import benchmark as bench
 from soccer_env.train.bench import loads as bench_loads
@@ -245,3 +245,16 @@ def test_the_rows_know_the_leagues() -> None:
     from soccer_env.leagues import find_league
 
     assert {name: find_league(name).control_rate for name in worker.LEAGUES} == worker.LEAGUES
+
+
+def test_the_profile_times_every_stage_and_the_stages_play_as_the_match_does(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Timing a stage does not change play, and the loops of single mechanisms are those of the names in the table."""
+    monkeypatch.setattr(BenchSettings, "matches", 2)
+    staged = profile.StagedLoad("legged-2001", BenchSettings())
+    plain = bench_loads.CoreLoad("legged-2001", "chaser", 2, 1, 0, "particles")
+    times = staged.stages(5)
+    plain.run(5)
+    assert [*times] == [*profile.STAGES] and min(times.values()) > 0.0
+    assert staged.match.state_hash() == plain.match.state_hash()
+    with pytest.raises(ValueError, match="profile or against"):
+        BenchSettings(profile=True, against=Path("."))

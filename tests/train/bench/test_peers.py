@@ -119,4 +119,4 @@ def test_torch_is_the_version_that_the_makefile_pins() -> None:
 
 
 def test_peers_are_measured_alone(soccer: Any) -> None:
-    assert "give peers or against" in soccer("bench", "--peers", "--against", ".", code=2)
+    assert "give profile or against" in soccer("bench", "--peers", "--profile", code=2)
