@@ -95,7 +95,9 @@ class ActionKind:
     @property
     def names(self) -> tuple[str, ...]:
         """Return the names of the choices of an index; () for numbers, and for "multi", whose choices are levels."""
-        return tuple({"discrete": DISCRETE, "skills": SKILLS}.get(self.name, ()))
+        if self.name == "skills":
+            return tuple(SKILLS)
+        return tuple(DISCRETE) if self.name == "discrete" else ()
 
     @property
     def shape(self) -> tuple[int, ...]:

@@ -106,7 +106,7 @@ def play_skill(choice, belief, tracks, memory, noise, command, k, play, sight):
             time_stuck_ball(sight, memory, noise, k, play)
     kind = KIND[choice] if applies(choice, belief, sight, memory, k, play) else SEARCH
     keeps_out = may_not_enter(belief.situation, k)
-    if kind != STAND and not (keeps_out and leave_area(command, sight, k, play, play.berth)):
+    if kind != STAND and not (keeps_out and leave_area(command, sight, k, play)):
         if kind == SEARCH and not knows:
             search_for_ball(belief, command, sight, memory, k, play)
         else:
