@@ -29,9 +29,12 @@ def versions() -> list[Path]:
     return [path.parent for path in sorted(HERE.glob("*/facts.json"))]
 
 
-def saved_match(league: str, **settings: Any) -> Match:
-    teams = {"home": "random", "away": "still"}  # a save holds what teams remember: these remember nothing
-    return Match(league, home=1, away=1, seed=3, minutes=1.0, controllers=teams, **settings)
+def staged(league: str, home: str, steps: int = 0) -> Match:
+    """Return a match after some steps; a save holds what teams remember, so those of a save remember nothing."""
+    match = Match(league, home=1, away=1, seed=3, minutes=1.0, controllers={"home": home, "away": "random"})
+    for _ in range(steps):
+        match.step()
+    return match
 
 
 def write_corpus(folder: Path) -> None:
@@ -42,11 +45,12 @@ def write_corpus(folder: Path) -> None:
     policy.write_bytes(dump(random_policy(4, league="middle-size-2006")))
     facts: dict[str, Any] = {"world": WORLD, "action": first_action(policy)}
     for league in LEAGUES:
-        match = saved_match(league, senses="sensors")
+        match = staged(league, "chaser")
         recorder = Recorder(match, Thoughts(match))
         for _ in range(STEPS):
             match.step()
         recorder.stop().write(folder / f"{league}.replay")
+        match = staged(league, "still", STEPS)
         (folder / f"{league}.save").write_bytes(match.save())
         match.step()
         facts[league] = match.state_hash()

@@ -11,7 +11,7 @@ from soccer_env.replay import Replay
 from soccer_env.train.evaluate import recheck
 from soccer_env.train.tournament import TournamentSettings, tournament
 from soccer_env.types import WORLD
-from tests.upgrade.corpus import LEAGUES, STEPS, first_action, saved_match, versions
+from tests.upgrade.corpus import LEAGUES, STEPS, first_action, staged, versions
 
 each_version = pytest.mark.parametrize("folder", versions(), ids=lambda folder: folder.name)
 
@@ -35,7 +35,7 @@ def test_replays_and_saves_play_on(folder: Path, league: str) -> None:
     assert len(replay) == STEPS and replay.notes() is not None
     facts = facts_of(folder)
     assert replay.check() == STEPS
-    match = saved_match(league, senses="sensors")
+    match = staged(league, "still")
     match.load((folder / f"{league}.save").read_bytes())
     match.step()
     assert match.state_hash() == facts[league]
