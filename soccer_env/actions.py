@@ -64,6 +64,7 @@ STANDING = {
     "discrete": ~DISCRETE_TABLE.any(axis=1),
     "multi": np.concatenate([*[LEVEL_TABLE == 0.0] * WALK, KICK_TABLE[:, 0] == 0.0]),
 }
+NAMES = {"discrete": list(DISCRETE), "skills": list(SKILLS)}  # of the choices
 STANDING_SKILL = list(SKILLS).index("stand")
 KICKING_ASIDE = np.concatenate([NO_KICK, KICK_TABLE[:, 2] != 0.0])  # of "multi"
 
@@ -95,9 +96,7 @@ class ActionKind:
     @property
     def names(self) -> tuple[str, ...]:
         """Return the names of the choices of an index; () for numbers, and for "multi", whose choices are levels."""
-        if self.name == "skills":
-            return tuple(SKILLS)
-        return tuple(DISCRETE) if self.name == "discrete" else ()
+        return tuple(NAMES.get(self.name, ()))
 
     @property
     def shape(self) -> tuple[int, ...]:
