@@ -6,6 +6,7 @@ calls. Code and arguments are sent by content, so a node needs no copy of either
 
 from __future__ import annotations
 
+import logging
 import os
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -134,6 +135,6 @@ def connect(address: str) -> Any:
         if address not in (LOCAL, JOIN, joined):
             raise ValueError(f"this process belongs to the cluster at {joined}, not to {address}")
         return ray
-    local = {"include_dashboard": False, "object_store_memory": STORE} if address == LOCAL else {}
-    ray.init(address=address, log_to_driver=False, logging_level="ERROR", **local)
+    local: dict[str, Any] = {"include_dashboard": False, "object_store_memory": STORE} if address == LOCAL else {}
+    ray.init(address=address, log_to_driver=False, logging_level=logging.ERROR, **local)
     return ray
