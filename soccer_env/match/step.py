@@ -166,9 +166,7 @@ def to_named_tuples(world, physics, outcome, numbers):
 
 
 @compiled
-def begin_match(
-    match, ball, robots, events, robot_events, velocities, solver, k, weights, before, terms, rewards
-):  # fmt: skip
+def begin_match(match, ball, robots, events, robot_events, velocities, solver, k, weights, before, terms, rewards):
     """Run one match's step up to the physics; return the number of physics substeps, 0 if the match is over."""
     clear_events(events, robot_events)
     terms[:] = 0.0
@@ -205,20 +203,18 @@ def finish_match(
 @compiled
 def begin_step(match, ball, robots, robot_events, velocities, solver, k):
     """Apply the commands (drive, kick, head) and the friction of the ball; return the number of physics substeps."""
-    fallible = k.faults_dropouts > 0.0 or k.faults_breakdowns > 0.0
     for r in range(robots.shape[0]):
         robot = robots[r]
         if match.placing == 1 or (match.shoot_out > 0 and is_onlooker(match, robots, r)):
             steer_to_place(match, robot, k)
         if k.legs == 1 and robot.gait_phase % k.gait_steps == 0:
             catch_legs(robots, r, k, match.handedness)
-        failed = fallible and stop_if_failed(match, robot, k)
+        failed = stop_if_failed(match, robot, k)
         drive_robot(robot, k, match.step, match.handedness, stance_of(solver, r))
         advance_kicker(robots, r, robot_events[r], k, ball, match.handedness)
         if not failed:
             move_head(robot, k, ball)
-        robot.placed = 0
-        robot.fallen = max(robot.fallen - k.dt, 0.0)
+        robot.placed, robot.fallen = 0, max(robot.fallen - k.dt, 0.0)
     limit_speed(ball, k)
     if match.placing == 1:
         stop_ball(ball)

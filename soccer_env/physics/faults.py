@@ -20,7 +20,7 @@ MINUTE = 60.0  # [s]
 @compiled
 def stop_if_failed(match, robot, k):
     """Return whether the robot fails now, and clear its command of drive and kick if so."""
-    if not has_failed(match, robot, k):
+    if (k.faults_dropouts <= 0.0 and k.faults_breakdowns <= 0.0) or not has_failed(match, robot, k):
         return False
     command = robot.command
     command.forward = command.left = command.turn = command.kick = 0.0
