@@ -48,7 +48,7 @@ GOLDEN = {
     "middle_page": "a59eb003fc017f244c50f4a6ee8b5e98",
     "page_of_the_truth": "00fb6b75be64d38c89d6309b89bc8aca",
     "notes": "bc79a37a0e3557c41c19480b554e97ae",
-    "casts": "24ffb18f426dcf5ecc42602e4857d040",
+    "casts": "e1db70de67873592d840033d40489546",
 }
 RENEW = "python -m tests.render.test_golden_drawings FOLDER"
 

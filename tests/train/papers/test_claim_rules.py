@@ -67,7 +67,7 @@ def test_matches_under_rules_that_the_claim_does_not_state_are_refused() -> None
 def test_all_matches_of_claims_are_made_in_one_place() -> None:
     folder = Path(staging.__file__).parent
     calls = [path.name for path in folder.rglob("*.py") for _ in re.findall(r"\bMatch\(", path.read_text())]
-    assert calls == ["staging.py"]
+    assert sorted(calls) == ["staging.py", "workers.py"], "workers.py compiles by one, which no claim sees"
 
 
 def test_drills_run_under_their_own_rules_and_where_opponents_play_under_those_of_play() -> None:

@@ -209,7 +209,7 @@ def test_all_leaves_out_studies_which_can_be_named() -> None:
         (["reproduce", "S05", "--stored", "--quick"], "stored measures nothing: give it without quick"),
         (["reproduce", "sensors", "--stored"], "no result of sensors is stored; measure it without --stored"),
         (["reproduce", "S05", "--seed", "-1"], "seeds must be a whole number"),
-        (["reproduce", "S05", "--seeds", "1", "2", "1"], "seeds must be whole numbers, at least one and each once"),
+        (["reproduce", "S05", "--seeds", "1", "2", "1"], "seeds must be whole numbers, each once"),
         (["reproduce", "S05", "--pose", "compass"], "unknown --pose 'compass'"),
         (["reproduce", "S05", "--rules", "street"], "unknown --rules 'street'"),
     ],
