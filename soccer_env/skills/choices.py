@@ -1,8 +1,8 @@
 """Skills with a target that learners, searches and people choose by number, and which of them apply now.
 
-A robot that may not do what was chosen searches: it faces the ball, or looks for a ball that it has lost. Whatever it
-does, a field player keeps the rules as scripted players do: it leaves its own penalty area where it may not stand, and
-does not shove.
+If the chosen skill does not apply, the robot searches: it faces the ball, or looks for a ball that it has lost. With
+every skill a field player keeps the rules as scripted players do: it leaves its own penalty area where it may not
+stand, and does not shove.
 
 `k`: the league's constants; `play`: the numbers of the skills.
 """
