@@ -9,18 +9,22 @@ they are saved, loaded, branched and hashed with the match, and are 0 when an ep
 """
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
-from soccer_env.agents.perceptron import AT_ONCE, REPEAT, act, action_size, memory_size, pack_policy, widest_layer
+from soccer_env.agents.perceptron import AT_ONCE, act, action_size, memory_size, pack_policy, widest_layer
 from soccer_env.agents.policy import Policy
 from soccer_env.agents.policy_file import dump, load, parse
 from soccer_env.agents.recurrent import MAX_MEMORY
+from soccer_env.agents.skilled import MEMORY as SKILLED
+from soccer_env.agents.skilled import is_due, skilled_slice
 from soccer_env.compiled import compiled
 from soccer_env.guards.names import Made
 from soccer_env.guards.ranges import COUNT, FLAG, NUMBER, UNIT, ranged_record
 from soccer_env.leagues.league import League
 from soccer_env.observations import entry_names
+from soccer_env.skills.settings import fitted, skill_settings
 from soccer_env.teams import ObservingTeam
 
 POLICIES = Path(__file__).parent / "policies"
@@ -51,19 +55,24 @@ class LearnedTeam(ObservingTeam):
         self.policy.check_plays(league)
         self.policy.warn_of_other_rules(league)
 
-    def settings_in(self, league: League) -> np.ndarray:
-        """Return the network, which reads its inputs by their names in the league's observation."""
-        if list(self.policy.inputs) == entry_names(league, self.policy.observe):
-            return self.settings  # itself: past selves change while a match runs
-        return pack_policy(self.policy, bool(self.settings[AT_ONCE]), self.policy.columns(league))
+    def settings_in(self, league: League) -> Any:
+        """Return the network, which reads its inputs by their names in the league's observation; `skilled`: a pair."""
+        numbers = self.settings  # itself: past selves change while a match runs
+        if list(self.policy.inputs) != entry_names(league, self.policy.observe):
+            numbers = pack_policy(self.policy, bool(self.settings[AT_ONCE]), self.policy.columns(league))
+        return (numbers, fitted(skill_settings(), league)) if self.skilled else numbers
 
 
 def team_from_policy(policy: Policy, at_once: bool = False) -> LearnedTeam:
     """Return a team that plays a policy; `at_once`: it decides in the first step of an episode."""
     kernel, memory = (remember_slice, STATES) if policy.memory else (decide_slice, MEMORY)
+    skilled = policy.actions == "skills"
+    if skilled:
+        kernel, memory = skilled_slice, SKILLED
     made = LearnedTeam(
-        policy.name, kernel, memory, pack_policy(policy, at_once), (policy.family,), observe=policy.observe
-    )
+        policy.name, kernel, memory, pack_policy(policy, at_once), (policy.family,), observe=policy.observe,
+        skilled=skilled,
+    )  # fmt: skip
     object.__setattr__(made, "policy", policy)
     return made
 
@@ -145,15 +154,10 @@ def remember_slice(observations, memory, commands, players, constants, numbers, 
 @compiled
 def decide(numbers, observation, kept, states, k, scratch):
     """Let one player wait, or decide and update the states (2, units) of its policy's memory."""
-    repeat = int(numbers[REPEAT])
     if kept.begun == 0:
-        kept.begun = 1
-        kept.wait = 0 if numbers[AT_ONCE] != 0.0 else -k.delay_steps % repeat
         kept.action[HEAD] = -1.0
-    if kept.wait == 0:
+    if is_due(kept, numbers, k):
         act(numbers, observation, kept.action[: action_size(numbers)], states, scratch)
-        kept.wait = repeat
-    kept.wait -= 1
 
 
 @compiled

@@ -66,6 +66,8 @@ def save_onnx(policy: Policy | str | os.PathLike[str], path: str | os.PathLike[s
         from onnx import TensorProto, helper
     except ImportError:
         raise ImportError("an ONNX file is written by onnx: pip install soccer_env[onnx]") from None
+    if policy.actions == "skills":
+        raise ValueError(f"policy {policy.name!r} chooses skills, which an ONNX file cannot carry out")
     graph, units = Graph(), memory_units(policy.memory) * (1 + policy.mirror)
     results = write_images(graph, policy)
     sizes = {"seen": len(policy.inputs), "state": units, results[-1]: units}

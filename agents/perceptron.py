@@ -29,8 +29,9 @@ if TYPE_CHECKING:
     from soccer_env.agents.policy import Policy
 
 LAYERS, NETWORK, MIRROR, REPEAT, AT_ONCE, OUTPUT, NORMALISED, SIZES = range(8)  # places in the head; the first size
-CLIPPED, SQUASHED, CHOSEN, PARTS_CHOSEN = range(4)  # use of the outputs: clipped, tanh, the largest, that of each part
-OUTPUTS = {"discrete": CHOSEN, "multi": PARTS_CHOSEN}
+# Use of the outputs: clipped, tanh, the largest, the largest of each part, as they are.
+CLIPPED, SQUASHED, CHOSEN, PARTS_CHOSEN, VALUES = range(5)
+OUTPUTS = {"discrete": CHOSEN, "multi": PARTS_CHOSEN, "skills": VALUES}
 CHOICE, CHOICES = len(BOX), len(FULL)  # numbers of an action of the kind "discrete", and of "multi"
 RELU, RECURRENT = 1, 2  # added up at NETWORK; without RELU the activation is tanh
 MEMORY_SHAPE = 2  # numbers: units, and the input ACTIVE, or -1
@@ -62,8 +63,9 @@ def pack_policy(policy: Policy, at_once: bool = False, columns: Sequence[int] | 
 def act(numbers, row, action, states, scratch):
     """Write the action (a,) for one observation (n,), in [-1, 1], and update the states (2, units) of its memory.
 
-    Without memory: (2, 0). scratch (3, widest) is working space. Entries that the network does not read have no effect.
-    With MIRROR the action is the mean of the outputs for the observation and, mirrored back, for its mirror image.
+    A chooser of skills writes the values of all. Without memory: states (2, 0). scratch (3, widest) is working space.
+    Entries that the network does not read have no effect. With MIRROR the action is the mean of the outputs for the
+    observation and, mirrored back, for its mirror image.
     """
     layers, inputs = int(numbers[LAYERS]), input_size(numbers)
     outputs = int(numbers[SIZES + layers])
@@ -84,6 +86,8 @@ def act(numbers, row, action, states, scratch):
         return
     for i in range(outputs):
         action[i] = scratch[0, i]
+    if numbers[OUTPUT] == VALUES:
+        return
     if numbers[MIRROR] != 0.0:
         for i in range(inputs):
             scratch[2, i] = numbers[signs + i] * row[int(numbers[places + i])]

@@ -8,7 +8,8 @@
       -> weights[-1] x + biases[-1]                                        no activation
       -> mean of the actions (4,) or (7,), clipped to [-1, 1] when played  `actions.BOX` or `actions.FULL`
          or squashed by tanh; or a value for each of `actions.DISCRETE`, of which the largest is played, or for
-         each choice of the parts of "multi", of which the largest of each part is played
+         each choice of the parts of "multi", of which the largest of each part is played, or for each of
+         `choices.SKILLS`, of which the largest of those that apply is played
 
 Every policy is checked when it is made: a checked policy can neither overflow nor give NaN.
 """
@@ -31,8 +32,10 @@ from soccer_env.leagues.checks import check_family
 from soccer_env.leagues.league import MAX_RATE, League
 from soccer_env.observations import OBSERVE, Entry, entries_named, entry_names
 from soccer_env.observations.reflection import observation_signs
+from soccer_env.skills.choices import SKILLS
 
-ACTIONS = {"box": len(BOX), "full": len(FULL), **{kind: sum(parts) for kind, parts in PARTS.items()}}  # of outputs
+CHOICES = {**{kind: sum(parts) for kind, parts in PARTS.items()}, "skills": len(SKILLS)}  # a value for each
+ACTIONS = {"box": len(BOX), "full": len(FULL), **CHOICES}  # numbers of outputs
 ACTIVATIONS = ("tanh", "relu")
 MAX_REPEAT = 1000  # [control steps]
 MAX_INPUTS = 4096
@@ -59,7 +62,7 @@ class Policy:
     control_rate: int  # [1/s] of that league
     observe: str  # "truth", "percepts" or "belief"
     inputs: tuple[str, ...]  # names of the entries that it reads, in order; an observation may have more
-    actions: str  # "box" (4 numbers), "full" (7), "discrete" or "multi" (a value for each choice)
+    actions: str  # "box" (4 numbers), "full" (7), "discrete", "multi" or "skills" (a value for each choice)
     action_repeat: int  # [control steps] for which an action is kept, 1 to 1000
     activation: str  # "tanh" or "relu", behind every layer but the last
     mirror: bool  # True: the output is the mean of the network and of its left-right mirror image
@@ -85,8 +88,10 @@ class Policy:
         for name in ("mirror", "squash", "at_once"):
             if type(getattr(self, name)) is not bool:
                 raise ValueError(f"{name} must be True or False, got {short_repr(getattr(self, name))}")
-        if self.actions in PARTS and (self.mirror or self.squash):
+        if self.actions in CHOICES and (self.mirror or self.squash):
             raise ValueError("mirror and squash must be False where actions are discrete")
+        if self.actions == "skills" and self.memory:
+            raise ValueError("a policy that chooses skills can have no memory of its own")
         if self.mirror and self.observe == "percepts":
             raise ValueError("mirror must be False where percepts are observed: turning signs round mirrors no picture")
         _check_whole_number("action_repeat", self.action_repeat, MAX_REPEAT)

@@ -8,9 +8,10 @@ TEXT is JSON again: the fields of `Policy` without its arrays, and "version". Th
 each once, with these types; anything else is a ValueError in one line that names the file. `inputs` names the entries
 that the policy reads, "kind" is always "slots". A policy with a memory has four more tensors (`recurrent.TENSORS`).
 
-Version 7 added the memory; version 6 actions of the kind "multi"; version 5 the senses of the training; version 4
-discrete, squashed and normalised policies, and the step of the first decision. Versions 1 and 2 have no rules; version
-1 has only the name of the league, so family and control rate are those of our league of that name.
+Version 8 added skills; version 7 the memory; version 6 actions of the kind "multi"; version 5 the senses of the
+training; version 4 discrete, squashed and normalised policies, and the step of the first decision. Versions 1 and 2
+have no rules; version 1 has only the name of the league, so family and control rate are those of our league of that
+name.
 
 The safetensors library checks that the header fits into the file and is JSON, that sizes agree with shapes, and that
 the tensors cover the file without holes and overlaps. It accepts duplicate names, unknown fields of a tensor and any
@@ -35,7 +36,7 @@ from soccer_env.guards.checking import check_choice, short_repr
 from soccer_env.leagues import LEAGUES
 from soccer_env.match.arguments import version
 
-VERSION = 7
+VERSION = 8
 KEY = "soccer_env.policy"
 MAX_FILE = 16 * 2**20  # [bytes]
 MAX_HEADER = 5 * 2**18  # [bytes] the largest policy needs about 1 MiB
@@ -54,11 +55,11 @@ NEWER: dict[int, dict[str, Any]] = {
 LATEST = NEWER[4] | NEWER[5]
 LACKS = {
     1: ("family", "control_rate", "rules", *LATEST), 2: ("rules", *LATEST), 3: tuple(LATEST), 4: tuple(NEWER[5]),
-    5: (), 6: (),
+    5: (), 6: (), 7: (),
 }  # fmt: skip
 """The keys that older files lack, by version."""
 KIND = "slots"  # the only kind of network
-KINDS = {"discrete": 4, "multi": 6}  # the versions that added kinds of actions
+KINDS = {"discrete": 4, "multi": 6, "skills": 8}  # the versions that added kinds of actions
 MEMORY = 7  # the version that added the memory
 TABLES = ("made", "rules", "normalise")
 TENSOR = {"dtype", "shape", "data_offsets"}

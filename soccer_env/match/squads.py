@@ -42,7 +42,7 @@ class Squad:
     memory: np.ndarray
     observations: np.ndarray  # (M, R, n) of a team that decides from observations, else (M, R, 0)
     name: str  # in the lineup, else in results, see `teams.registry.called`
-    settings: np.ndarray | None = None  # of a compiled team, in this league
+    settings: Any = None  # of a compiled team, in this league: as its kernel reads them
     lineup: Lineup | None = None  # of which the team is a part
     place: int = 0  # of the team in the lineup
     plays: np.ndarray | None = None  # (M,) flags of a team in a lineup: it plays this match now
@@ -65,7 +65,9 @@ class Squad:
     def reads_beliefs(self) -> bool:
         """Tell whether the team's kernel reads beliefs; other kernels are blind, or read observations."""
         team = self.team
-        return isinstance(team, CompiledTeam) and not (team.blind or isinstance(team, ObservingTeam))
+        if isinstance(team, ObservingTeam):
+            return team.skilled
+        return isinstance(team, CompiledTeam) and not team.blind
 
     def runs(self, first: int, last: int) -> list[tuple[int, int]]:
         """Split a slice of matches into the contiguous ranges (first, last) that the team plays in."""
@@ -211,12 +213,11 @@ def run_compiled(squad: Squad, arrays: TeamArrays, write: WriteObservations, fir
     beliefs, tracks, noise, commands, k = arrays
     rows = squad.players
     for run in runs:
-        if not isinstance(team, ObservingTeam):
-            seen: tuple[np.ndarray, ...] = (beliefs, tracks, squad.memory, noise)
-        else:
+        seen: tuple[np.ndarray, ...] = (beliefs, tracks, squad.memory, noise)
+        if isinstance(team, ObservingTeam):
             if not squad.memory["wait"][slice(*run)].all():
                 write(squad.observations, team.observe, rows, *run)
-            seen = (squad.observations, squad.memory)
+            seen = (squad.observations, *seen) if team.skilled else (squad.observations, squad.memory)
         try:
             team.kernel(*seen, commands, rows, k, squad.settings, *run)
         except (KeyError, NumbaError) as error:

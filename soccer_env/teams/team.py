@@ -153,10 +153,12 @@ class ObservingTeam(CompiledTeam):
 
     kernel(observations, memory, commands, players, constants, settings, first, last): observations (M, R, n) float32
     are written for its players by the code that writes a learner's, in steps in which the field "wait" of the memory,
-    the control steps until the next decision, is 0 for one of them.
+    the control steps until the next decision, is 0 for one of them. A `skilled` team carries out skills by its beliefs:
+    kernel(observations, beliefs, tracks, memory, noise, commands, players, constants, settings, first, last).
     """
 
     observe: str = "belief"  # built from "truth" (with ideal senses only), "percepts" (with sensors only) or "belief"
+    skilled: bool = False
 
     def act(self, view: View, memory: np.ndarray, rng: TeamRandom) -> np.ndarray:
         """Raise ValueError: this team needs readings that no view holds, so that it plays only inside a match."""

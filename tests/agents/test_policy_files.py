@@ -106,7 +106,7 @@ def test_arrays_are_copied_and_cannot_be_written_to() -> None:
         ({"control_rate": 16.0}, "control_rate must be 1 to 1000, got 16.0"),
         ({"observe": "all"}, "observe must be one of truth, percepts, belief, got 'all'"),
         ({"observe": ["truth"]}, "observe must be one of"),
-        ({"actions": "words"}, "actions must be one of box, full, discrete, multi"),
+        ({"actions": "words"}, "actions must be one of box, full, discrete, multi, skills"),
         ({"actions": "discrete"}, r"layer1 must have a weight \(12, 3\) and a bias \(12,\), got \(4, 3\)"),
         ({"actions": "discrete", "squash": True}, "mirror and squash must be False where actions are discrete"),
         ({"at_once": 1}, "at_once must be True or False, got 1"),

@@ -216,7 +216,7 @@ REFUSED: dict[str, tuple[Any, dict[str, Any], str]] = {
     "a dict": (Split(), {}, "the module must give a tensor of outputs, got dict: give outputs="),
     "NaN": (nn.Sequential(nn.Linear(INPUTS, 4)), {"spoil": np.nan}, "layer0 must be finite, it holds NaN or infinity"),
     "other inputs": (mlp(8, 4, inputs=7), {}, f"the module takes 7 inputs, 'belief' of 'legged-2001' has {INPUTS}"),
-    "other outputs": (mlp(8, 5), {}, "the module must have 4, 7, 12, 20 outputs, or 8 or 14, got 5"),
+    "other outputs": (mlp(8, 5), {}, "the module must have 4, 7, 12, 20, 26 outputs, or 8 or 14, got 5"),
     "another file": (mlp(4), {"path": "a.pt"}, "a policy file must end in .safetensors, got"),
     "an unknown league": (mlp(4), {"league": "legged"}, "unknown league 'legged'"),
     "an unknown observation": (mlp(4), {"observe": "all"}, "observe must be one of truth, percepts, belief, got 'all'"),
