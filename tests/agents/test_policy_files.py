@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from soccer_env.agents import policy as limits
 from soccer_env.agents.policy import Policy, training_fields
 from soccer_env.agents.policy_file import LACKS, MAX_FILE, MAX_HEADER, dump, load, parse
-from soccer_env.leagues import LEAGUES, Slots, find_league
+from soccer_env.leagues import Slots, find_league
 from soccer_env.observations import entry_names
 from tests.agents.staged_files import FIELDS, TABLE, WHERE, assert_content_refused, with_fields, with_table, without_key
 from tests.agents.staged_policies import random_recurrent_policy
@@ -156,20 +156,6 @@ def test_too_many_weights_are_refused_and_tanh_bounds_what_follows_it() -> None:
     with pytest.raises(ValueError, match="at most 3900000 weights and biases"):
         policy(*(1000,) * 6)
     replace(policy(), weights=(ones(3, 2) * 1e20, ones(4, 3) * 1e20))
-
-
-@pytest.mark.parametrize("observe", ["truth", "percepts", "belief"])
-@pytest.mark.parametrize("league", ["legged-2001", "middle-size-2006"])
-def test_a_policy_plays_its_league_and_its_variants(league: str, observe: str) -> None:
-    own = find_league(league)
-    trained = policy(inputs=tuple(entry_names(own, observe)), observe=observe, **training_fields(own))
-    for name, preset in LEAGUES.items():
-        if preset.family == own.family:
-            trained.check_plays(preset)
-            continue
-        said = f"trained in '{league}' of family {own.family}, '{name}' is of family"
-        with pytest.raises(ValueError, match=said):
-            trained.check_plays(preset)
 
 
 def test_a_league_is_known_by_what_it_is_and_not_by_its_name() -> None:

@@ -1,27 +1,12 @@
 """The vector Gymnasium API: it is Gymnasium's own vector of single envs, whatever its threads and resets."""
 
-import gymnasium
 import numpy as np
 import pytest
 from gymnasium.vector import AutoresetMode, SyncVectorEnv
 
 from soccer_env import Scene
-from soccer_env.api.gymnasium_vector import SoccerVectorEnv
 from tests.scenes.staged_envs import MODES, make_single_env, make_vector_env
 from tests.scenes.staging import LEAGUES
-
-
-def test_make_vec_uses_the_batched_core():
-    envs = gymnasium.make_vec("soccer_env/MiddleSize2006-1v1-v0", num_envs=64, opponents="still")
-    assert isinstance(envs, SoccerVectorEnv) and envs.num_envs == envs.match.count == 64
-    assert envs.metadata["autoreset_mode"] is AutoresetMode.NEXT_STEP
-    observations, _ = envs.reset(seed=1)
-    assert observations in envs.observation_space and observations.shape[0] == 64
-    observations, rewards, terminated, truncated, _ = envs.step(envs.action_space.sample())
-    assert observations in envs.observation_space
-    assert rewards.shape == terminated.shape == truncated.shape == (64,)
-    envs.close()
-    envs.close()
 
 
 def roll_the_ball(league, ball, robots, draw):

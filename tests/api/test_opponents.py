@@ -11,7 +11,7 @@ from soccer_env import Lineup, Match, make_team, soccer_v0, team_of_function
 from soccer_env.replay import Recorder
 from soccer_env.train.ppo.vec_env import SoccerVecEnv
 from tests.agents.staged_policies import random_policy, team_from_disk
-from tests.scenes.staged_envs import play, still_actions
+from tests.scenes.staged_envs import still_actions
 from tests.scenes.staging import refused
 
 NESTED: dict[str, Any] = {"infos": "nested"}
@@ -168,22 +168,6 @@ FLAT: dict[str, Any] = {"home": 1, "away": 1, "max_cycles": 3}
 ID = "soccer_env/Legged2001-1v1-v0"
 
 
-def test_the_number_in_flat_infos_is_the_place_of_the_name_in_nested_ones() -> None:
-    settings = {**FLAT, "opponents": Lineup(["still", "chaser@0.5", "random"])}
-    flat, nested = (soccer_v0.parallel_env(**settings, infos=infos) for infos in ("full", "nested"))
-    assert flat.opponent_names == nested.opponent_names == ["learner", "still", "chaser@0.5", "random"]
-    met = set()
-    for episode in range(8):
-        told = [env.reset(seed=2 if episode == 0 else None)[1]["home_0"] for env in (flat, nested)]
-        while True:
-            assert flat.opponent_names[told[0]["opponent"]] == told[1]["opponent"]
-            met.add(told[1]["opponent"])
-            if not flat.agents:
-                break
-            told = [env.step(still_actions(env))[4]["home_0"] for env in (flat, nested)]
-    assert met == {"still", "chaser@0.5", "random"}
-
-
 def test_others_that_a_reset_brings_come_behind_so_that_numbers_keep_their_meaning() -> None:
     env = soccer_v0.parallel_env(**FLAT, opponents="still")
     env.reset(seed=1)
@@ -210,31 +194,6 @@ def test_who_meets_a_learner_is_told_so_and_each_side_has_its_own_opponent() -> 
     assert {agent: info["opponent"] for agent, info in infos.items()} == {"home_1": 0, "away_0": 0}
     solo = gymnasium.make(ID, agent="away_0", opponents="still").unwrapped
     assert solo.opponent_names[solo.reset(seed=1)[1]["opponent"]] == "still"  # type: ignore[attr-defined]
-
-
-@pytest.mark.parametrize("mode", ["NextStep", "SameStep"])
-def test_a_vector_env_says_so_of_all_matches_and_of_episodes_that_ended(mode: str) -> None:
-    chooser = Lineup(["still", "random"])
-    asked: dict[str, Any] = {"num_envs": 12, "opponents": chooser, "max_cycles": 2, "autoreset_mode": mode}
-    envs: Any = gymnasium.make_vec(ID, **asked).unwrapped
-    words: Any = gymnasium.make_vec(ID, **asked, infos="nested")
-    names = np.array(envs.opponent_names, object)
-    told, said = envs.reset(seed=1)[1], words.reset(seed=1)[1]
-    for _ in range(6):
-        assert (names[told["opponent"]] == said["opponent"]).all()
-        told, said = envs.step(np.zeros((12, 4)))[4], words.step(np.zeros((12, 4)))[4]
-        if "final_info" in told:
-            assert (names[told["final_info"]["opponent"]] == said["final_info"]["opponent"]).all()
-    assert ("final_info" in told) == (mode == "SameStep") and envs.opponent_names == ["learner", "still", "random"]
-    envs.reset(options={"opponents": "chaser"})
-    assert envs.opponent_names == ["learner", "still", "random", "chaser"]
-
-
-def test_one_at_a_time_knows_the_names_too() -> None:
-    env: Any = soccer_v0.env(**FLAT, opponents="random")
-    env.reset(seed=1)
-    assert env.opponent_names[env.last()[4]["opponent"]] == "random"
-    assert [cycle[1][4]["home_0"]["opponent"] for cycle in play(env.env.env, 2)] == [1, 1]
 
 
 def test_rows_of_stable_baselines_hear_the_name_when_an_episode_ends() -> None:
@@ -266,10 +225,3 @@ def test_policies_of_one_name_in_a_lineup_are_told_apart_by_their_files(tmp_path
         team_from_disk(random_policy(), tmp_path / folder)
     files = [str(tmp_path / folder / "lively.safetensors") for folder in ("a", "b")]
     assert Lineup([*files, "still"]).names == (*files, "still")
-
-
-def test_a_replay_says_which_strength_played() -> None:
-    match = Match(home=1, away=1, opponents="chaser@0.25", teammates="still", controllers={"home": "chaser"}, seed=1)
-    recorder = Recorder(match)
-    match.step()
-    assert recorder.stop().teams == ("chaser", "chaser@0.25")

@@ -82,13 +82,6 @@ def test_a_window_is_shown_at_every_step_and_closes_twice():
     assert not window.is_open
 
 
-def test_rendering_without_a_mode_warns():
-    env = soccer_v0.parallel_env(home=1, away=1)
-    env.reset(seed=0)
-    with pytest.warns(UserWarning, match="render_mode"):
-        assert env.render() is None
-
-
 STEPS = 16  # of each robot in a rollout
 
 

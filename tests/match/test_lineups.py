@@ -122,23 +122,6 @@ def learned_too() -> Lineup:
     return Lineup((chaser, *policies), np.ones(3), ("chaser", "quick", "slow"))
 
 
-def test_nothing_is_observed_for_a_policy_that_does_not_play() -> None:
-    match = pitch(learned_too(), matches=12)
-    playing = np.array(who_plays(match))
-    match.step()
-    for squad in match.squads[2:]:
-        assert (squad.observations.any(axis=(1, 2)) == (playing == squad.name)).all()
-
-
-def test_a_memory_begins_empty_with_each_episode() -> None:
-    match = pitch(learned_too(), matches=8)
-    for _ in range(8):
-        assert not match.ended.any()
-        match.step()
-    for squad in match.squads:
-        assert not np.frombuffer(squad.memory.tobytes(), np.uint8).any()
-
-
 def test_a_save_keeps_who_plays() -> None:
     match, other = pitch(learned_too(), matches=8), pitch(learned_too(), matches=8, seed=6)
     play(match, steps=21)

@@ -7,7 +7,6 @@ from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.match.staging import constants_of
 from soccer_env.physics.contacts import robots_touch
-from soccer_env.referee.places import MARGIN, are_robots_too_near, capsule
 from soccer_env.referee.restarts import STEP_ASIDE, make_room
 from soccer_env.types import AWAY, HOME, MAX_TEAM, NO_TEAM, Phase
 from tests.scenes.leagues import LEAGUES, LEGGED, MIDDLE, each_league
@@ -124,24 +123,6 @@ def test_a_middle_size_team_is_in_place_within_ten_seconds_and_drives_there():
     assert (steps * match.league.dt < 10.0).mean() > 0.7
 
 
-def test_the_old_base_finds_its_place_without_stepping_aside():
-    match = Match("middle-size-2006-differential", home=1, away=1, matches=8, seed=3, placement="drive")
-    set_phase(match, Phase.PLAY)
-    scatter(match, np.random.default_rng(3), 0.8)
-    place(match, ball=(match.league.pitch.length / 2 + 0.2, 0.0))
-    match.step(stand(match))
-    places = match.robots[["place_x", "place_y"]].copy()
-    last = match.robots.copy()
-    placing = np.ones(8, bool)
-    while placing.any():
-        last[placing] = match.robots[placing]
-        match.step(stand(match))
-        placing &= match.matches["placing"] == 1
-    off = distance(last, places["place_x"], places["place_y"])
-    assert (off[:, 1] < 0.15).mean() >= 0.85, "away takes the kick-off; a few are held up by home's robot"
-    assert (match.robots["x"][:, 0] <= 0.0).all(), "the other one only has to be where the rules let it"
-
-
 def test_at_a_middle_size_kick_off_opponents_keep_2_m_and_stay_in_their_half():
     match = Match(MIDDLE, home=5, away=5, matches=20, seed=5)
     far, takers = distance(match.robots, 0.0, 0.0), match.matches["kick_off_team"] == AWAY
@@ -162,17 +143,6 @@ def test_the_taker_faces_the_ball_with_the_opponents_goal_ahead_and_goalkeepers_
     keepers, pitch = match.robots[:, [0, 3]], match.league.pitch
     assert (keepers["keeper"] == 1).all() and (abs(keepers["y"]) < pitch.goal_width / 2).all()
     assert (abs(keepers["x"] - [-pitch.length / 2, pitch.length / 2]) < 0.1 * pitch.length).all()
-
-
-@each_league
-def test_formations_differ_by_centimetres_and_robots_may_stand_side_by_side_with_a_margin_between_them(name):
-    match = Match(name, home=3, away=3, matches=50, seed=8)
-    spread = match.robots["x"][match.matches["kick_off_team"] == HOME].std(axis=0)
-    assert (spread > 0.002).all() and (spread < 0.05).all() and len(np.unique(match.robots["heading"])) == 50 * 6
-    k = constants_of(Match(name, home=1, away=1, seed=1))[0]
-    _, radius = capsule(k)
-    for gap, near in ((MARGIN + 1e-3, False), (MARGIN - 1e-3, True)):
-        assert are_robots_too_near(k, 0.0, 0.0, 0.0, 0.0, 2.0 * radius + gap, 0.0) == near
 
 
 @each_league

@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 
 from soccer_env import Match, shows
-from soccer_env.render import video
 from soccer_env.replay import Recorder, Replay
 from soccer_env.shows.film import drawn_steps, film_frames, widest_picture
 from soccer_env.shows.film_settings import FilmSettings
@@ -32,13 +31,6 @@ def test_an_mp4_has_as_many_frames_as_its_length_asks_for(replay: Replay, tmp_pa
     frames, seconds = ffmpeg.count_frames_and_secs(str(path))
     assert (frames, round(seconds, 2)) == (31, 31 / 25)  # 1.2 s and the start, at 25 frames a second
     assert [file.name for file in tmp_path.iterdir()] == ["a.mp4"]
-
-
-def test_a_gif_shows_real_time_in_hundredths_of_a_second(replay: Replay, tmp_path: Path) -> None:
-    image = pytest.importorskip("PIL.Image")
-    with image.open(shows.video(replay, tmp_path / "a.gif", width=240, speed=2.0)) as film:
-        assert film.n_frames == 8  # 1.2 s in 0.6, each 0.08 s
-        assert film.info["duration"] == 80 and film.info["loop"] == 0
 
 
 def test_speed_and_the_part_that_is_shown_choose_the_steps() -> None:
@@ -107,17 +99,6 @@ def test_a_missing_extra_is_named(replay: Replay, tmp_path: Path, ending: str, m
         shows.video(replay, tmp_path / f"a{ending}")
     with pytest.raises(ValueError, match=r"must end with .mp4 or .gif, got '.*a.avi'"):
         shows.video(replay, tmp_path / "a.avi")
-
-
-def test_a_gif_has_every_colour_of_the_pictures(tmp_path: Path) -> None:
-    image = pytest.importorskip("PIL.Image")
-    grey, amber = np.full((64, 64, 3), 120, np.uint8), np.zeros((64, 64, 3), np.uint8)
-    amber[:] = (255, 190, 40)
-    with image.open(video.write_video(tmp_path / "a.gif", iter([grey, amber]), 10.0, 2)) as film:
-        film.seek(1)
-        assert np.abs(np.asarray(film.convert("RGB"))[32, 32].astype(int) - (255, 190, 40)).max() <= 8
-    with pytest.raises(ValueError, match="at most 1500 frames, this one would have 1501: write an MP4"):
-        video.write_video(tmp_path / "b.gif", iter(()), 12.5, 1501)
 
 
 def test_a_replay_is_exported_by_the_command(replay: Replay, tmp_path: Path, soccer: Any) -> None:

@@ -200,9 +200,3 @@ TAKEN = "test_ball.py::test_the_smaller_range_is_taken"
 ])  # fmt: skip
 def test_a_wrong_row_is_found(tmp_path: Path, row: str, complaint: str) -> None:
     assert complaint in "\n".join(problems_of(checkout_with(tmp_path, [*GOOD_ROWS, f"| {row}"])))
-
-
-def test_a_missing_table_is_found(tmp_path: Path) -> None:
-    checkout_with(tmp_path, GOOD_ROWS)
-    (tmp_path / TABLE).write_text("# References\n", encoding="utf-8")
-    assert "no table | id | function | test |" in problems_of(tmp_path)

@@ -57,19 +57,6 @@ def test_extreme_settings_give_commands_that_a_robot_can_obey(extreme: dict[str,
         assert np.isfinite(numbers(match)).all()
 
 
-def test_a_robot_without_team_mates_still_goes_for_the_ball() -> None:
-    """All the others of its team are sent off: the last one attacks by itself."""
-    match = Match(LEGGED, matches=16, seed=3, controllers={"home": "sacks-2001", "away": "still"}, minutes=3)
-    match.robots["active"][:, :2] = 0
-    match.robots["x"][:, :2], match.robots["y"][:, :2] = [[-9.0, -9.6]], 9.0
-    match.rebuild()
-    touched = np.zeros(16, bool)
-    while not match.terminated.all():
-        match.step()
-        touched |= match.robot_events["touch"][:, 2] == 1
-    assert touched.all()
-
-
 def test_a_robot_that_never_sees_the_ball_goes_on_searching_all_over_its_half() -> None:
     """The ball lies out of sight for three minutes: it turns, goes home, turns again, and never stops or blows up.
 

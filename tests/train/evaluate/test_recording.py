@@ -34,13 +34,6 @@ def test_a_file_that_is_no_replay_is_refused_in_one_line(tmp_path: Path, soccer:
     soccer("replay", tmp_path / "missing", code=2)
 
 
-def test_a_place_that_cannot_be_written_is_refused_first(tmp_path: Path, monkeypatch: MonkeyPatch, soccer: Any) -> None:
-    monkeypatch.setattr("soccer_env.train.evaluate.recording.start_match", lambda settings: pytest.fail("it played"))
-    (tmp_path / "file").write_bytes(b"")
-    assert "is a folder" in soccer("record", "--out", tmp_path, code=2)
-    assert "its folder cannot be made" in soccer("record", "--out", tmp_path / "file" / "a.replay", code=2)
-
-
 def test_a_replay_that_cannot_be_written_leaves_nothing_behind(tmp_path: Path) -> None:
     settings = RecordSettings(minutes=0.01, players=1, out=tmp_path / "a.replay")
     replay = record(settings)
@@ -68,16 +61,6 @@ def test_a_scene_is_recorded_as_it_is_meant(words: str, said: str, tmp_path: Pat
     soccer("replay", path)
     soccer("export", path, "--out", picture, "--width", "320")
     assert picture.exists()
-
-
-def test_a_drill_is_played_by_those_whom_it_is_meant_for(tmp_path: Path) -> None:
-    replay = record(RecordSettings(scene="mover-and-still", home="still", out=tmp_path / "a.replay"))
-    assert replay.settings["teams"] == {"home_0": "still", "away_0": "still", "away_1": "walker@0.5"}
-    replay = record(RecordSettings(scene="mover-and-still", home="still", players="1v3", out=tmp_path / "a.replay"))
-    assert list(replay.settings["teams"].values()) == ["still", "still", "still", "walker@0.5"]
-    replay = record(RecordSettings(scene="shot-at-keeper", out=tmp_path / "a.replay"))
-    assert list(replay.settings["teams"].values()) == ["still", "chaser", "chaser"]
-    assert replay.settings["scene"]["success"] == "away saves"
 
 
 @pytest.mark.parametrize(

@@ -144,16 +144,6 @@ def test_a_rollout_is_cut_into_nearly_equal_parts() -> None:
     assert [minibatch_size(*one) for one in asked] == [4096, 4112, 1000, 20, 2, 2, 3]
 
 
-@given(decisions=st.integers(2, 100_000), batch=st.integers(2, 20_000))
-def test_no_part_of_a_rollout_is_a_scrap(decisions: int, batch: int) -> None:
-    """A gradient step is as long from a scrap of 3 decisions as from a whole batch."""
-    size = minibatch_size(decisions, batch)
-    parts = -(-decisions // size)
-    last = decisions - (parts - 1) * size
-    assert 2 <= size <= decisions
-    assert size - last < decisions / batch + 1
-
-
 def from_words(command: str) -> TrainSettings:
     words = shlex.split(command)
     assert words[:2] == ["soccer", "train"]
