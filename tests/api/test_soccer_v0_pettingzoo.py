@@ -86,8 +86,7 @@ STEPS = 16  # of each robot in a rollout
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("processes", [1, 2])
-@pytest.mark.parametrize("league", LEAGUES)
+@pytest.mark.parametrize(("league", "processes"), zip(LEAGUES, (2, 1), strict=True))
 def test_a_learner_trains_on_vectors_of_copies(league, processes):
     supersuit = pytest.importorskip("supersuit")  # here, as doctest cannot look into it
     sb3 = pytest.importorskip("stable_baselines3")

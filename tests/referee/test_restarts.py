@@ -18,7 +18,7 @@ KINDS = {
     MIDDLE: (Phase.KICK_OFF, Phase.THROW_IN, Phase.GOAL_KICK, Phase.CORNER_KICK),
 }
 KIND_CASES = [(name, phase) for name in LEAGUES for phase in KINDS[name]]
-SIZES = (1, 2, 3, 5, 8, MAX_TEAM)
+SIZES = (1, 3, 5, MAX_TEAM)
 TAKERS = np.repeat([HOME, AWAY], 4)  # of the eight matches of a case
 DIRECTIONS = np.tile([1.0, 1.0, -1.0, -1.0], 2)
 SIDES = np.tile([1.0, -1.0], 4)
@@ -94,7 +94,7 @@ def assert_legal(match, phase):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("home", "away"), [*((size, size) for size in SIZES), (1, MAX_TEAM), (MAX_TEAM, 2), (4, 9)])
+@pytest.mark.parametrize(("home", "away"), [*((size, size) for size in SIZES), (MAX_TEAM, 2), (4, 9)])
 @pytest.mark.parametrize(("name", "phase"), KIND_CASES)
 def test_instant_placement_is_legal_for_teams_of_every_size_and_unequal_ones(name, phase, home, away):
     match = called(name, phase, home, away, seed=home)
@@ -103,7 +103,7 @@ def test_instant_placement_is_legal_for_teams_of_every_size_and_unequal_ones(nam
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("size", [1, 3, 5, MAX_TEAM])
+@pytest.mark.parametrize("size", [1, 5, MAX_TEAM])
 @pytest.mark.parametrize(("name", "phase"), KIND_CASES)
 def test_robots_drive_to_their_places_for_10_s_at_most_and_then_stand_legally(name, phase, size):
     match = called(name, phase, size, size, "drive", seed=size)

@@ -86,9 +86,9 @@ def test_no_busy_robot_stands_for_half_a_minute() -> None:
     A search or another role in between counts as standing too, unless it lasts.
     """
     teams = {"home": "sacks-2001", "away": "chaser"}
-    match = Match(LEGGED, controllers=teams, matches=24, threads=2, seed=11, minutes=4)
+    match = Match(LEGGED, controllers=teams, matches=12, threads=2, seed=11, minutes=4)
     squad = match.squads[0]
-    since, idle, anchor, longest = np.zeros((24, 3)), np.zeros((24, 3)), np.zeros((2, 24, 3)), 0.0
+    since, idle, anchor, longest = np.zeros((12, 3)), np.zeros((12, 3)), np.zeros((2, 12, 3)), 0.0
     while not match.terminated.all():
         match.step()
         here = np.stack([match.robots["x"][:, squad.players], match.robots["y"][:, squad.players]])
@@ -98,20 +98,6 @@ def test_no_busy_robot_stands_for_half_a_minute() -> None:
         anchor, since = np.where(moved, here, anchor), np.where(moved, 0.0, since + match.league.dt)
         longest = max(longest, since.max())
     assert longest < LONG
-
-
-@pytest.mark.slow
-@pytest.mark.whole
-def test_two_steps_of_strength_win_goals() -> None:
-    """The table of baselines/README.md has every step of 200 matches; here the ends of the ladder, same seeds."""
-    gaps = []
-    for strength in (0.0, 1.0):
-        teams = {"home": f"sacks-2001@{strength}", "away": "chaser"}
-        match = Match(LEGGED, controllers=teams, matches=128, threads=2, seed=5, minutes=4)
-        while not match.terminated.all():
-            match.step()
-        gaps.append((match.matches["score"][:, 0] - match.matches["score"][:, 1]).mean())
-    assert gaps[1] - gaps[0] > 0.1
 
 
 LEAGUE = find_league("legged-2001")
