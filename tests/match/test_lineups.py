@@ -236,11 +236,9 @@ WEIGHTS = "weights of a Lineup must be 2 numbers from 0, not all 0"
 BAD: list[tuple[tuple[Any, ...], str]] = [
     (((), np.ones(0), ()), "a Lineup needs a list of one team at least, got ()"),
     (("chaser",), "a Lineup needs a list of one team at least, got 'chaser'"),
-    ((["chasr"],), "unknown team 'chasr', did you mean 'chaser'?"),
     ((["chaser", "chaser"],), "the 2 teams of a Lineup must have different names, got ('chaser', 'chaser')"),
     (([lineup()],), "a Lineup is made of teams, not of lineups"),
     (([3],), "a team needs name, memory_dtype and act, got 3"),
-    (((CHASER, CHASER), np.ones(2), ("a", "a")), "the 2 teams of a Lineup must have different names, got ('a', 'a')"),
     (((CHASER, CHASER), np.ones(2), ("a",)), "the 2 teams of a Lineup must have different names, got ('a',)"),
     *((((CHASER, CHASER), np.array(bad), ("a", "b")), WEIGHTS)
       for bad in ([1.0] * 3, [0.0, 0.0], [1.0, -0.1], [1.0, np.nan], [1.0, np.inf], ["1", "2"])),
