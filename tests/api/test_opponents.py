@@ -7,7 +7,7 @@ import gymnasium
 import numpy as np
 import pytest
 
-from soccer_env import Lineup, Match, make_team, soccer_v0, team_of_function
+from soccer_env import Lineup, Match, soccer_v0
 from soccer_env.replay import Recorder
 from soccer_env.train.ppo.vec_env import SoccerVecEnv
 from tests.agents.staged_policies import random_policy, team_from_disk
@@ -16,10 +16,6 @@ from tests.scenes.staging import refused
 
 NESTED: dict[str, Any] = {"infos": "nested"}
 SHORT: dict[str, Any] = {"home": 1, "away": 1, "max_cycles": 3, **NESTED}
-
-
-def rested(observations: np.ndarray) -> np.ndarray:
-    return np.zeros((*observations.shape[:2], 4))
 
 
 def named_in(env: Any) -> list[str]:
@@ -58,13 +54,6 @@ def test_a_reset_changes_the_opponents_and_goes_on_with_the_seeds_episodes() -> 
     assert set(named_in(env)) <= {"still", "random"}
     env.reset()
     assert set(named_in(env)) <= {"still", "random"}, "they stay"
-
-
-def test_functions_and_policies_come_and_go() -> None:
-    env = soccer_v0.parallel_env(home=1, away=2, max_cycles=3, opponents="chaser", infos="nested")
-    for opponents, name in ((team_of_function(rested), "rested"), ("learned", "learned"), ("still", "still")):
-        env.reset(seed=1, options={"opponents": opponents})
-        assert named_in(env)[-1] == name and env.match.squads[-1].players.tolist() == [1, 2]
 
 
 @pytest.mark.parametrize(
@@ -178,16 +167,6 @@ def test_others_that_a_reset_brings_come_behind_so_that_numbers_keep_their_meani
     assert env.opponent_names == ["learner", "still", "random", "chaser"] and seen == [2, 3, 1]
 
 
-def test_a_load_tells_who_plays_in_the_episode_that_it_brings() -> None:
-    for infos in ("flat", "nested"):
-        env = soccer_v0.parallel_env(**FLAT, opponents=Lineup(["still", "random"]), infos=infos)
-        _, first = env.reset(seed=3)
-        saved, told = env.save(), first
-        while told["home_0"]["opponent"] == first["home_0"]["opponent"]:
-            _, told = env.reset()
-        assert env.load(saved)[1]["home_0"]["opponent"] == first["home_0"]["opponent"]
-
-
 def test_who_meets_a_learner_is_told_so_and_each_side_has_its_own_opponent() -> None:
     env = soccer_v0.parallel_env(home=2, away=1, teammates="random")
     _, infos = env.reset(seed=1)
@@ -206,17 +185,6 @@ def test_rows_of_stable_baselines_hear_the_name_when_an_episode_ends() -> None:
         *_, infos = env.step_wait()
     assert [info["opponent"] for info in infos] == before and set(before) == set(chooser.names)
     assert [result.opponent for result in env.take_results()] == before
-
-
-def test_a_team_has_one_name_however_it_was_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    team_from_disk(random_policy(), tmp_path)
-    env = soccer_v0.parallel_env(**FLAT, opponents=Lineup(["lively.safetensors", "chaser@0.25"]))
-    weak = make_team("chaser", strength=0.25)
-    others = (str(tmp_path / "lively.safetensors"), make_team("lively.safetensors"), "chaser@0.25", weak, "chaser@.250")
-    for opponents in (*others, Lineup(list(others[1:3])), "chaser@1", "chaser:patience=2"):
-        env.reset(seed=1, options={"opponents": opponents})
-    assert env.opponent_names == ["learner", "lively", "chaser@0.25", "chaser", "chaser:patience=2"]
 
 
 def test_policies_of_one_name_in_a_lineup_are_told_apart_by_their_files(tmp_path: Path) -> None:

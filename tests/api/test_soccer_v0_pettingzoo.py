@@ -2,8 +2,6 @@
 
 import numpy as np
 import pytest
-from gymnasium.utils.env_checker import data_equivalence
-from pettingzoo.utils import BaseParallelWrapper, aec_to_parallel
 
 from soccer_env import soccer_v0
 from tests.scenes.staged_envs import GAMES, play
@@ -34,19 +32,6 @@ def test_pettingzoo_accepts_every_kind_of_action(league, actions):
     max_cycles_test(soccer_v0)
     parallel_api_test(soccer_v0.parallel_env(league=league, home=2, away=1, actions=actions), num_cycles=100)
     api_test(soccer_v0.env(league=league, home=1, away=2, actions=actions, max_cycles=30), num_cycles=100)
-
-
-def test_pettingzoo_wrappers_change_nothing():
-    plain = soccer_v0.parallel_env(max_cycles=30)
-    wrapped = BaseParallelWrapper(soccer_v0.parallel_env(max_cycles=30))
-    there_and_back = aec_to_parallel(soccer_v0.env(max_cycles=30))
-    for env in (plain, wrapped, there_and_back):
-        env.reset(seed=1)
-    assert wrapped.unwrapped.match.agents == plain.unwrapped.match.agents
-    for one, two, three in zip(*(play(env, 40) for env in (plain, wrapped, there_and_back)), strict=True):
-        assert data_equivalence(one[1], two[1], exact=True)
-        assert data_equivalence(one[1], three[1], exact=True)
-    assert plain.agents == wrapped.agents == there_and_back.agents == []
 
 
 @pytest.mark.parametrize("league", LEAGUES)

@@ -66,16 +66,6 @@ def test_the_other_matches_are_left_alone() -> None:
     assert np.array_equal(planner.rewards[others], rewards[others]) and not planner.rewards[[1, 4]].any()
 
 
-def test_a_planner_may_see_and_be_paid_otherwise() -> None:
-    match = played(observe="truth")
-    planner = Match(
-        home=2, away=2, matches=2, controllers={"away": "sacks-2001"}, senses="sensors", observe="truth",
-        rewards="sparse", actions="full", threads=2,
-    )  # fmt: skip
-    match.branch(0, planner)
-    assert match.state_hash(0) == planner.state_hash(1)
-
-
 def test_branches_that_draw_anew_part_and_do_so_from_the_seed_alone() -> None:
     match, planner = played(), played(steps=0, matches=4)
     futures = []

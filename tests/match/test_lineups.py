@@ -141,13 +141,6 @@ def test_a_save_of_another_lineup_is_refused() -> None:
             pitch(other).load(saved)
 
 
-def test_names_and_objects_are_teams_with_even_weights() -> None:
-    chooser = Lineup(["chaser@0.2", "still", Slow()])
-    assert chooser.names == ("chaser@0.2", "still", "slow")
-    assert chooser.weights.tolist() == [1.0, 1.0, 1.0]
-    assert repr(Lineup(["still", "chaser"], weights=[1, 3])) == "Lineup({'still': 1, 'chaser': 3})"
-
-
 @pytest.mark.parametrize("senses", ["ideal", "sensors"])
 def test_a_match_of_a_lineup_is_bit_for_bit_that_of_the_team_that_plays(senses: str) -> None:
     """Of teams with kernels, in Python and of functions, and of policies that decide at different times."""

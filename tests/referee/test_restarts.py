@@ -112,17 +112,6 @@ def test_robots_drive_to_their_places_for_10_s_at_most_and_then_stand_legally(na
     assert_legal(match, phase)
 
 
-def test_a_middle_size_team_is_in_place_within_ten_seconds_and_drives_there():
-    match = called(MIDDLE, Phase.KICK_OFF, 3, 3, "drive", seed=7)
-    for _ in range(15):
-        before = match.robots.copy()
-        match.step(stand(match))
-        assert (distance(match.robots, before["x"], before["y"]) <= 2.7 * match.league.dt).all(), "somebody was put"
-    assert (speed(match.robots) > 0.0).mean() > 0.7
-    steps = drive_to_places(match)
-    assert (steps * match.league.dt < 10.0).mean() > 0.7
-
-
 def test_at_a_middle_size_kick_off_opponents_keep_2_m_and_stay_in_their_half():
     match = Match(MIDDLE, home=5, away=5, matches=20, seed=5)
     far, takers = distance(match.robots, 0.0, 0.0), match.matches["kick_off_team"] == AWAY

@@ -10,7 +10,7 @@ import pytest
 from soccer_env import types
 from soccer_env.leagues import find_league
 from soccer_env.render import Arrows, Picture, Points, Polyline, colours
-from soccer_env.render.captions import clock_words, goal_team, half_words, phase_words, possession_words
+from soccer_env.render.captions import clock_words, goal_team, half_words, phase_words
 from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
 from tests.render.staged_frames import make_records
 
@@ -42,13 +42,6 @@ def make_match(**values):
     return match
 
 
-def make_robots():
-    robots = np.zeros(4, types.ROBOT)
-    robots["team"], robots["number"], robots["active"] = (0, 0, 1, 1), (0, 1, 0, 1), 1
-    robots["keeper"] = robots["number"] == 0
-    return robots
-
-
 @pytest.mark.parametrize(
     ("values", "words"),
     [
@@ -73,16 +66,6 @@ def test_the_clock_counts_minutes_and_seconds_and_the_half_is_named():
     assert half_words(make_match(half_length=600.0)) == "1st half, 10 min"
     assert half_words(make_match(half_length=450.0, half=1)) == "2nd half, 7.5 min"
     assert half_words(make_match(half_length=np.inf)) == "no halves"
-
-
-def test_possession_names_the_robot_that_has_the_ball():
-    robots = make_robots()
-    robots[3]["has_ball"] = 1
-    assert possession_words(make_match(last_touch_team=HOME, last_touch_robot=1), robots) == ("ball: blue 1", AWAY)
-    robots[0]["has_ball"] = 1
-    assert possession_words(make_match(), robots) == ("ball: red 0 (keeper) + blue 1", NO_TEAM)
-    robots["active"] = 0
-    assert possession_words(make_match(), robots) == ("loose, not touched yet", NO_TEAM)
 
 
 def test_a_goal_is_shown_at_the_kick_off_that_follows_it():

@@ -62,16 +62,6 @@ def test_a_pose_that_is_not_finite_is_a_value_error_that_names_it():
         Picture("cricket")
 
 
-def test_pictures_outlive_pygame_quit():
-    import pygame
-
-    picture, records = Picture("legged-2001", 480), make_records()
-    before = picture.draw(*records)
-    pygame.quit()
-    records[0]["clock"] = 83.0  # a new word for the header
-    assert not np.array_equal(picture.draw(*records), before)
-
-
 def test_importing_the_package_leaves_pygame_alone_and_a_picture_needs_no_display():
     program = """
 import sys, numpy as np

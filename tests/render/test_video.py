@@ -10,7 +10,7 @@ import pytest
 
 from soccer_env import Match, shows
 from soccer_env.replay import Recorder, Replay
-from soccer_env.shows.film import drawn_steps, film_frames, widest_picture
+from soccer_env.shows.film import drawn_steps
 from soccer_env.shows.film_settings import FilmSettings
 
 pytest.importorskip("pygame")
@@ -41,23 +41,6 @@ def test_speed_and_the_part_that_is_shown_choose_the_steps() -> None:
     assert fps == 4.0 and slow.tolist() == [0, 1, 2, 3, 4]
     with pytest.raises(ValueError, match="start must be at most 10, the length of the replay in seconds, got 11"):
         drawn_steps(FilmSettings(start=11.0), ".mp4", 50, 500)
-
-
-@pytest.mark.parametrize("league", ["legged-2001", "middle-size-2006"])
-def test_a_film_of_1080p_has_the_largest_picture_that_fits(league: str) -> None:
-    match = Match(league, home=1, away=1, controllers={"home": "chaser", "away": "still"}, seed=3)
-    recorder = Recorder(match)
-    match.step()
-    replay = recorder.stop()
-    frame = shows.frame(replay, width=1920, height=1080)
-    assert frame.shape == (1080, 1920, 3)
-    wide = widest_picture(match.league, 1920, 1080)
-    own = shows.frame(replay, width=wide)
-    left, top = (1920 - wide) // 2, (1080 - len(own)) // 2
-    assert wide < 1920 and 0 <= top < 2 and np.array_equal(frame[top : top + len(own), left : left + wide], own)
-    if league == "middle-size-2006":
-        with pytest.raises(ValueError, match="a picture of middle-size-2006 does not fit into a height of 240 pixels"):
-            film_frames(replay, FilmSettings(height=240), ".png")
 
 
 def test_a_file_that_exists_is_not_written_over(replay: Replay, tmp_path: Path) -> None:

@@ -18,7 +18,7 @@ from soccer_env.teams import registry
 from soccer_env.train.command import command_line
 from soccer_env.train.command.command_line import main
 from soccer_env.train.command.exit_codes import STOPPED
-from soccer_env.train.command.listing import Table, What
+from soccer_env.train.command.listing import What
 
 # not gymnasium and pettingzoo: importing the package registers its environments there
 HEAVY = ("numba", "torch", "pymunk", "tyro", "rich", "scipy", "matplotlib", "pygame")
@@ -175,14 +175,6 @@ def test_a_result_is_json_when_asked_and_nothing_else_is_printed(tmp_path: Path,
     assert "--json" not in (tmp_path / "[red]" / "settings.json").read_text(), "the same run, shown in another way"
 
 
-def test_names_are_printed_as_they_are() -> None:
-    """rich takes [/x] for the end of a style, and raises."""
-    console = command_line.console()
-    with console.capture() as captured:
-        console.print(Table("[/x]", ("name",), (("a [/x] and [red] team",),)).drawn())
-    assert "a [/x] and [red] team" in captured.get() and captured.get().count("[/x]") == 2
-
-
 @pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
 def test_every_command_and_option_can_be_completed(shell: str, soccer: Any) -> None:
     text = soccer("--tyro-print-completion", shell)
@@ -203,13 +195,6 @@ def test_bash_completes(typed: str, completed: str, tmp_path: Path, capsys: Any)
     path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
     done = subprocess.run(run, capture_output=True, text=True, env={**os.environ, "PATH": path})
     assert [line.split("\t")[0].split(" (")[0].strip() for line in done.stdout.splitlines()] == [completed], done.stderr
-
-
-def test_zsh_may_source_its_script_or_find_it_as_a_file(soccer: Any) -> None:
-    """As tyro makes it, sourcing it calls the completion at once, outside of one: an error, and nothing completes."""
-    text = soccer("--print-completion", "zsh")
-    assert text.startswith("#compdef soccer\n")
-    assert "compdef _tyro_soccer soccer" in text and '\n_tyro_soccer "$@"' not in text
 
 
 @pytest.mark.skipif(shutil.which("zsh") is None, reason="there is no zsh")

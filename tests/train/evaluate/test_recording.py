@@ -90,12 +90,6 @@ def test_a_drill_of_ones_own_without_an_end_is_refused(tmp_path: Path, monkeypat
         start_match(RecordSettings(scene="endless_drills:ENDLESS"))
 
 
-@pytest.mark.parametrize("words", ["--scene shot-at-keeper --away still --speed 100", "--minutes 0.02 --speed 50"])
-def test_a_drill_or_match_can_be_watched_to_its_end(words: str, monkeypatch: MonkeyPatch) -> None:
-    monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
-    assert main(["watch", *words.split(), "--width", "320"]) == 0
-
-
 SHORT: dict[str, Any] = {"home": "chaser", "away": "still", "matches": 4, "minutes": 1.5, "players": 1, "seed": 1}
 
 
@@ -170,15 +164,6 @@ def test_files_that_are_damaged_or_gone_are_made_again(tmp_path: Path) -> None:
     short(tmp_path)
     assert {one.file for one in kept_in(tmp_path)} == set(whole)
     assert all(Replay.read(tmp_path / name).check() for name in whole)
-
-
-@pytest.mark.parametrize(
-    "text", ["", "[1]", '{"asked": {}, "replays": [{}]}', '{"asked": {"kinds": 7}, "replays": []}', "[" * 100_000, "7"]
-)
-def test_a_damaged_list_is_made_again(tmp_path: Path, text: str) -> None:
-    (tmp_path / "replays").mkdir()
-    (tmp_path / "replays" / "kept.json").write_text(text)
-    assert kept_in(tmp_path) == []
 
 
 def test_a_list_names_no_file_elsewhere(tmp_path: Path) -> None:

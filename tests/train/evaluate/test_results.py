@@ -136,16 +136,6 @@ def line(**given):
     return {**empty, "spell_lengths_for": [0] * BINS, "spell_lengths_against": [0] * BINS, **given}
 
 
-def test_counts_are_given_a_minute_and_times_as_shares() -> None:
-    lines = [line(shots_for=3, still=15.0), line(shots_for=1, still=15.0, in_play=30.0), line(), line(carried=0.4)]
-    found = totals(lines)
-    assert (found["shots_for"].total, found["shots_for"].value, found["shots_for"].unit) == (4, 1.0, "/min")
-    assert found["still"].value == pytest.approx(100 * 30.0 / 210.0)
-    assert found["still"].unit == "%"
-    assert found["carried"].total == 0.4
-    assert found["idle_for"].value is None  # of no mates
-
-
 def test_the_interval_is_that_of_pairs() -> None:
     """Each pair has two shots, in one of its matches or in the other: nothing is unsure."""
     even = totals([line(shots_for=2), line(), line(), line(shots_for=2)] * 5)["shots_for"]

@@ -1,7 +1,5 @@
 """Where a training's settings come from: a file, flags that overrule it, modules of one's own; errors in one line."""
 
-import importlib
-import re
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -102,15 +100,6 @@ def test_a_missing_package_is_said_with_what_installs_it(tmp_path: Path) -> None
         assert 'pip install "soccer_env[train]"' in line and missing in line
 
 
-def test_rows_say_what_installs_stable_baselines(monkeypatch: pytest.MonkeyPatch) -> None:
-    for name in [name for name in sys.modules if name.partition(".")[0] == "stable_baselines3"]:
-        monkeypatch.setitem(sys.modules, name, None)  # as if it were not there
-    monkeypatch.setitem(sys.modules, "stable_baselines3", None)
-    monkeypatch.delitem(sys.modules, "soccer_env.train.ppo.vec_env", raising=False)
-    with pytest.raises(ImportError, match=r'needs stable-baselines3: pip install "soccer_env\[train\]"'):
-        importlib.import_module("soccer_env.train.ppo.vec_env")
-
-
 pytest.importorskip("stable_baselines3")
 
 MINE = """
@@ -172,19 +161,3 @@ def test_all_parts_of_ones_own_are_trained_with(mine: Path) -> None:
         kept.cache_clear()
     with pytest.raises(ValueError, match="own_parts"):
         train_plainly(tiny_settings(mine / "run", **OWN, steps=3 * ROLLOUT))
-
-
-@pytest.mark.usefixtures("mine")
-@pytest.mark.parametrize(
-    ("changes", "message"),
-    [
-        ({"league": "own_parts:ICE"}, "unknown league 'ICE' in module 'own_parts', did you mean 'ICY'?"),
-        ({"rewards": "own_parts:ICY"}, "rewards 'own_parts:ICY' must be a Rewards, got <League icy"),
-        ({"scenes": "own_parts:BESIDES:0.5"}, "unknown scene 'BESIDES' in module 'own_parts', did you mean 'BESIDE'?"),
-        ({"opponents": "own_parts:tem"}, "opponents: unknown team 'tem' in module 'own_parts', did you mean 'team'?"),
-    ],
-)
-def test_what_is_not_there_is_named_before_a_folder_is_made(changes: dict[str, str], message: str) -> None:
-    with pytest.raises(ValueError, match=re.escape(message)):
-        train_plainly(tiny_settings(Path("run"), **changes))
-    assert not Path("run").exists()

@@ -28,7 +28,7 @@ from soccer_env.train.command.command_line import main
 from soccer_env.train.ppo import training
 from soccer_env.train.ppo.checks import make_curriculum, make_matches
 from soccer_env.train.ppo.options import BOUNDS
-from soccer_env.train.ppo.reports import ProgressBoard, learning_curve, policy_contest, rounded, step_unit
+from soccer_env.train.ppo.reports import ProgressBoard, policy_contest, rounded, step_unit
 from soccer_env.train.ppo.settings import TrainSettings, command_of
 from tests.train.ppo.staged_training import ROLLOUT, outcome, records, tiny_settings, train_plainly, weights, whole_run
 
@@ -182,13 +182,6 @@ def evaluation(step: int, *differences: float) -> dict[str, Any]:
         "step": step,
         "rows": [{"players": "1v1", "opponent": f"team-{number}", **row} for number, row in enumerate(ends)],
     }
-
-
-def test_a_learning_curve_is_a_picture() -> None:
-    evaluations = [evaluation(n * 10**6, n, n - 2.0) for n in range(3)]
-    asked = evaluations[:1], evaluations, evaluations
-    one, three, again = (learning_curve(found, tiny_settings(Path("x"))) for found in asked)
-    assert one.startswith(b"\x89PNG") and three.startswith(b"\x89PNG") and one != three == again
 
 
 def test_logs_are_json_that_others_can_read_and_steps_are_told_in_fitting_units() -> None:

@@ -19,7 +19,7 @@ from soccer_env.render.overlays.cast import Cast, cast_of
 from soccer_env.replay import Recorder, Thoughts
 from soccer_env.thoughts.thought import NoteReader
 from soccer_env.train.command.command_line import main
-from soccer_env.train.command.watching.deck import HELP, OVERLAYS, PlaybackControls, Tape, play_live
+from soccer_env.train.command.watching.deck import PlaybackControls, Tape, play_live
 from soccer_env.train.command.watching.watching import frame_of
 
 
@@ -117,20 +117,6 @@ def watched(steps: int = 180) -> tuple[PlaybackControls, Cast]:
         deck.tape.move_by(1)
     deck.tape.move_by(8)
     return deck, cast_of(match, NoteReader.of(thoughts))
-
-
-def test_each_overlay_has_a_key_and_the_help_names_it() -> None:
-    deck, cast = watched()
-    picture, plain = Closeup("legged-2001", 480), None
-    for key in " bvxwoith":
-        deck.press(key)
-        frame = frame_of(deck, cast, picture, ("a", "b"))
-        assert plain is None or not np.array_equal(frame, plain), key
-        plain = frame_of(deck, cast, picture, ("a", "b")) if plain is None else plain
-        deck.press(key)
-    assert np.array_equal(frame_of(deck, cast, picture, ("a", "b")), plain)
-    words = " ".join(HELP)
-    assert all(f"{key}: " in words for key in ("space", *OVERLAYS, "f", "h", "r", "e"))
 
 
 def test_keys_pick_a_robot_and_the_picture_follows_it_or_the_ball() -> None:
