@@ -25,7 +25,7 @@ def test_gymnasium_accepts_it(league, home, away):
     check_env(env.unwrapped)
 
 
-@pytest.mark.parametrize(("league", "home", "away"), GAMES)
+@pytest.mark.parametrize(("league", "home", "away"), GAMES[1:3])
 @pytest.mark.parametrize("actions", ["box", "full", "discrete", "multi", "skills"])
 def test_stable_baselines_accepts_it(league, home, away, actions):
     checker = pytest.importorskip("stable_baselines3.common.env_checker")

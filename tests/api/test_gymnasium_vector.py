@@ -36,20 +36,23 @@ def same_infos(mine, theirs):
             assert np.array_equal(mine[key], value), key
 
 
-@pytest.mark.parametrize("infos", ["flat", "full", "nested", "none"])
 @pytest.mark.parametrize("league", LEAGUES)
 @pytest.mark.parametrize("mode", MODES)
 @pytest.mark.parametrize(
     "settings",
     [
-        {"max_cycles": 13},
-        {"episode": "goal", "scene": ROLLING, "agent": "away_0", "action_repeat": 3, "max_cycles": 20},
-        {"actions": "discrete", "minutes": 0.02},
+        {"infos": "flat", "max_cycles": 13},
+        {"infos": "none", "max_cycles": 13},
+        {
+            "infos": "full", "episode": "goal", "scene": ROLLING, "agent": "away_0", "action_repeat": 3,
+            "max_cycles": 20,
+        },
+        {"infos": "nested", "actions": "discrete", "minutes": 0.02},
     ],
-    ids=["time limit", "goals", "final whistle of discrete"],
-)
-def test_the_vector_env_is_gymnasiums_own_vector_of_single_envs(league, mode, settings, infos):
-    settings = {"opponents": "still", "teammates": "random", "agent": "home_1", "infos": infos, **settings}
+    ids=["time limit", "no infos", "goals", "final whistle of discrete"],
+)  # fmt: skip
+def test_the_vector_env_is_gymnasiums_own_vector_of_single_envs(league, mode, settings):
+    settings = {"opponents": "still", "teammates": "random", "agent": "home_1", **settings}
     many = make_vector_env(4, league, autoreset_mode=mode, **settings)
     each = SyncVectorEnv([lambda: make_single_env(league, **settings)] * 4, autoreset_mode=mode)
     assert many.observation_space == each.observation_space and many.action_space == each.action_space

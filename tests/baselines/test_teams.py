@@ -63,7 +63,7 @@ def test_without_strength_a_player_is_slower_and_decides_less_often(team: str, l
     *((LEGGED, f"sacks-2001{kind}", senses) for kind in ("", "-tuned", "-future") for senses in ("ideal", "sensors")),
     *((league, team, "sensors") for league in (MIDDLE, BASES[2]) for team in ("heinemann-2006", "weigel-2001")),
 ])  # fmt: skip
-@pytest.mark.parametrize(("home", "away"), [(1, 1), (2, 1), (1, 5), (11, 11)])
+@pytest.mark.parametrize(("home", "away"), [(1, 2), (11, 11)])
 def test_every_team_plays_at_every_size(league: str, team: str, senses: str, home: int, away: int) -> None:
     match = Match(league, home=home, away=away, seed=1, controllers={"home": team, "away": team}, senses=senses)
     start = match.robots["x"].copy()

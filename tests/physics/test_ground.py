@@ -232,7 +232,7 @@ def test_robots_that_run_at_full_speed_into_the_boards_stay_inside_them(name):
 
 
 @pytest.mark.parametrize("name", LEAGUES)
-@pytest.mark.parametrize("home", range(1, MAX_TEAM + 1))
+@pytest.mark.parametrize("home", [1, 2, 5, 8, MAX_TEAM])
 def test_teams_of_every_size_play_500_random_steps_in_one_piece(name, home):
     away = MAX_TEAM + 1 - home if home % 2 else home
     match = Match(name, home=home, away=away, matches=2, seed=home, senses="ideal", rules="simple")
