@@ -101,7 +101,6 @@ def test_a_sentence_is_judged_at_the_setting_that_suits_it() -> None:
     assert surface.at_best_setting(samples, "S22")["near soon"].all()
     assert surface.settings_that_hold(samples, "S22") == surface.settings_that_hold(samples, "S22", "S23") == 1.0
     assert surface.settings_that_hold(samples, "S23") == 16.0
-    assert surface.of_team(samples, "near soon", "near") == 0.0
 
 
 def test_no_run_is_judged_at_a_setting_that_it_helped_to_choose() -> None:

@@ -72,7 +72,6 @@ S31 = claim(
     "(avoidance=False: from anywhere, whoever stands there). Beside it against three who stand, and with nobody there.",
     measured("goals, dribbling less orbit and shoot, blockers after the ball", dribbling_advantage, "goals",
              unit="%", above=0.0),
-    *(reported(f"goals, {name}", f"goals {name}", unit="%") for name in STRATEGIES),
     *(reported(f"goals against, {name}", f"against {name}", unit="%") for name in STRATEGIES),
     reported("ball's progress, dribbling less orbit and shoot", dribbling_advantage, "progress", unit="cm"),
     reported("blockers stand: goals, dribbling less orbit and shoot", dribbling_advantage, "goals", " still", unit="%"),

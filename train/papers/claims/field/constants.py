@@ -94,10 +94,6 @@ S53 = claim(
     "points of its best.",
     *(measured(f"{who}: least sufficient {axis}, moving over standing", moving_over_standing_value, who, axis,
                above=1.0) for who in ("points", "robots") for axis in AXES),
-    *(reported(f"{who}: least sufficient {axis}, {kind}", least_sufficient_value, who, kind, axis, unit="m")
-      for who in ("points", "robots") for axis in AXES for kind in KINDS),
-    *(reported(f"{who}, {kind}: success with the paper's", f"{who} {kind} k2 {PAPER[0]:g}", unit="%")
-      for who in ("points", "robots") for kind in KINDS),
     measure=vary_each_constant, least=2, batches=5, seconds=12.0,
     figures=plots(*(plot_curves(f"Passing a player without touching it, against {axis}", f"{axis} [m]", "runs [%]",
                                 {f"{who}, {kind}": partial(success_curve, who=who, kind=kind, axis=axis)

@@ -72,10 +72,6 @@ S54 = claim(
              lambda s: trouble_share(s, "robots", "off") - trouble_share(s, "robots", "on"), unit="pp",
              above=SOMETIMES),
     reported("points with the limits", trouble_share, "points", "on", unit="%"),
-    *(reported(f"{who} without limits, {scene}", trouble_share, who, "off", (scene,), unit="%")
-      for who in ("points", "robots") for scene in ("head-on", "gap")),
-    *(reported(f"robots with the limits, {scene}", trouble_share, "robots", "on", (scene,), unit="%")
-      for scene in ("head-on", "gap")),
     measure=compare_angle_limits,
     figures=lambda samples: [points.draw_field("A player right between dribbler and goal", [[0.0, 0.0]],
                                   {"no limit": NO_LIMIT, "70 degrees": {}})],
@@ -106,11 +102,6 @@ S68 = claim(
     "rules on; changes between more than 20 degrees left of the goal and as much right of it.",
     measured("points: runs with a change of side", side_change_share, "points all rules", unit="%", above=LEFT),
     measured("robots: runs with a change of side", side_change_share, "robots all rules", unit="%", above=LEFT),
-    reported("points: changes of side in a run (mean)", "points all rules"),
-    reported("robots: changes of side in a run (mean)", "robots all rules"),
-    reported("points that are decisive (mean)", "points decisive"),
-    reported("robots that are decisive (mean)", "robots decisive"),
-    reported("robots that see all (ideal senses) (mean)", "robots that see all"),
     reported("robots that pass and touch nobody", "clean all rules", unit="%"),
     reported("the same of decisive ones", "clean decisive", unit="%"),
     measure=count_side_changes,
@@ -162,10 +153,6 @@ S58 = claim(
     "angles than 135 degrees.",
     measured(f"collisions at {PATIENCE[-1]} decisions less those at 0", collision_increase, "patience", PATIENCE,
              unit="pp", above=0.0),
-    *(reported(f"collisions at {n} decisions", collision_share, "patience", n, unit="%") for n in PATIENCE),
-    *(reported(f"{title}: rise", collision_increase, "patience", PATIENCE, (key,), unit="pp")
-      for key, title in MOVERS.items()),
-    reported("side kept beyond 0 degrees less beyond 135", collision_increase, "keep_side_angle", ANGLES, unit="pp"),
     rules=NO_MATCH, measure=collide_with_movers,
     figures=plots(*(plot("Collisions with movers", label, "runs with a collision [%]", values,
                          {title: each(values, lambda s, name, key, value: collision_share(s, name, value, (key,)), name,

@@ -115,7 +115,6 @@ H25 = claim(
     "none. To win is read as most runs.",
     measured("past without a touch", "coloured clean", unit="%", above=50.0),
     measured("uncoloured ball: past", "plain past", unit="%", above=50.0),
-    reported("past, touched or not", "coloured past", unit="%"),
     reported("uncoloured ball: past without a touch", "plain clean", unit="%"),
     reported("past without a touch, ideal senses", "ideal clean", unit="%"),
     reported("difference by the ball, of 100 runs", lambda s: 100 * mean(s["coloured past"] - s["plain past"])),
