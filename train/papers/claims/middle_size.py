@@ -12,7 +12,7 @@ from soccer_env.train.papers.claim import Ablation, Batch, claim
 from soccer_env.train.papers.plots import plot, plot_shares, plots
 from soccer_env.train.papers.staging import MIDDLE
 from soccer_env.train.papers.values import median, middles_of, quantile
-from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
+from soccer_env.train.papers.verdicts import Samples, counted, measured
 
 MATCHES = 64
 SECONDS = 16.0  # [s] of play: about an eighth of the light's period, from a random phase
@@ -255,7 +255,6 @@ H27 = claim(
     measured("error of the place in 95 % of the time", lambda samples: 100 * quantile(samples["place"], 0.95),
              unit="cm", below=100 * THIRD_OF_ROBOT),
     counted("recovered after being carried", "recovered", "one", at_least=95.0),
-    reported("median error of the heading", "heading", of=median, unit="deg"),
     measure=drive_and_carry,
     figures=plots(plot_shares("Robots that know where they are again", "time since carried [s]", "robots [%]",
                               np.linspace(0.0, LONGEST, 41), {"within 0.5 m and 20 degrees": lambda s: np.nan_to_num(

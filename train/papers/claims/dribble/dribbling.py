@@ -14,7 +14,6 @@ from soccer_env.train.papers.claim import Batch, claim
 from soccer_env.train.papers.dribble_runs import COUNTED, LOST, NO_SHOTS, losses, place_with_ball, record_dribble
 from soccer_env.train.papers.plots import columns, plot
 from soccer_env.train.papers.staging import LEGGED, put, stage, stage_team, still_actions
-from soccer_env.train.papers.values import percent
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
 MATCHES = 64
@@ -76,8 +75,6 @@ S51 = claim(
     "is lost. Beside it the same with the body of one piece.",
     counted(f"kept over {COUNTED:g} m at 3.5 cm", "kept at 3.5", "tried at 3.5", at_least=80.0),
     measured("losses per metre at 4 cm less twice those at 3.5 cm", loss_increase, above=0.0),
-    reported("body of one piece: kept over 1 m at 3.5 cm", percent, "smooth kept at 3.5", "smooth tried at 3.5",
-             unit="%"),
     measure=measure_in_both_worlds(dribble_steps),
     figures=plot("Balls lost by a dribbler", "length of a step [cm]", "losses per metre",
                  [100 * step for step in STEPS],
@@ -181,8 +178,6 @@ S60 = claim(
     f"45 or 55 degrees. Caught: in touch with the other and slower than {100 * CAUGHT:g} cm/s of the 7 that it wants. "
     "Beside it the same with the body of one piece.",
     measured("share of time caught at 45 degrees less that at 55", blocked_time_difference, unit="%", above=0.0),
-    reported("distance made at 45 degrees", "made", 0, unit="cm"),
-    reported("distance made at 55 degrees", "made", 1, unit="cm"),
     reported("body of one piece: the difference", blocked_time_difference, "smooth ", unit="%"),
     measure=measure_in_both_worlds(push_past_robot), batches=16, seconds=2.0,
     ingredients=("the robots' outlines and their friction", "traction and thrust"),

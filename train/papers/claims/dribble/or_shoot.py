@@ -9,7 +9,7 @@ from soccer_env.match.staging import send_off
 from soccer_env.train.papers.claim import PLAYED, Batch, claim, compare
 from soccer_env.train.papers.dribble_runs import start_drill
 from soccer_env.train.papers.plots import plot_shares
-from soccer_env.train.papers.verdicts import Samples, measured, reported
+from soccer_env.train.papers.verdicts import Samples, measured
 from soccer_env.types import AWAY, HOME
 
 MATCHES, SECONDS = 24, 60.0  # [s] of a run, until the first goal of either side
@@ -72,13 +72,6 @@ S31 = claim(
     "(avoidance=False: from anywhere, whoever stands there). Beside it against three who stand, and with nobody there.",
     measured("goals, dribbling less orbit and shoot, blockers after the ball", dribbling_advantage, "goals",
              unit="%", above=0.0),
-    *(reported(f"goals against, {name}", f"against {name}", unit="%") for name in STRATEGIES),
-    reported("ball's progress, dribbling less orbit and shoot", dribbling_advantage, "progress", unit="cm"),
-    reported("blockers stand: goals, dribbling less orbit and shoot", dribbling_advantage, "goals", " still", unit="%"),
-    reported("blockers stand: ball's progress, dribbling less orbit and shoot", dribbling_advantage, "progress",
-             " still", unit="cm"),
-    reported("nobody in the way: goals, dribbling less orbit and shoot", dribbling_advantage, "goals", " alone",
-             unit="%"),
     rules=PLAYED, measure=compare_strategies,
     figures=plot_shares("Goals of one robot with the ball", "time [s]", "runs with a goal [%]",
                         np.arange(0.0, SECONDS + 1.0, 5.0),

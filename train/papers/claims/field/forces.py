@@ -133,10 +133,6 @@ S47 = claim(
              lambda s: 100 * (mean(s["hit with"]) - mean(s["hit without"])), unit="pp", at_most=FEW_MORE),
     measured("robots: deviation is less by (medians)", reduction, "robots deviation with",
              "robots deviation without", median, unit="%", above=0.0),
-    reported("robots: clean with the factor", "robots clean with", unit="%"),
-    reported("robots: clean without", "robots clean without", unit="%"),
-    reported("extra length of the path is less by",
-             lambda s: 100 * (median(s["length without"]) - median(s["length with"])), unit="cm"),
     measure=compare_cosine_factor, batches=6, seconds=4.0,
     figures=lambda samples: [points.draw_field(f"Forces {word} the cosine factor", [[0.0, 0.15]],
                                                {"with the cosine": {}, "without": {"cosine_factor": False}}, **play)

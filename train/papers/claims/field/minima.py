@@ -102,8 +102,6 @@ S68 = claim(
     "rules on; changes between more than 20 degrees left of the goal and as much right of it.",
     measured("points: runs with a change of side", side_change_share, "points all rules", unit="%", above=LEFT),
     measured("robots: runs with a change of side", side_change_share, "robots all rules", unit="%", above=LEFT),
-    reported("robots that pass and touch nobody", "clean all rules", unit="%"),
-    reported("the same of decisive ones", "clean decisive", unit="%"),
     measure=count_side_changes,
     figures=plot_shares("Indecision in the harder set", "changes of side", "runs with as many or more [%]", range(13),
                         {f"{who} {name}": f"{who} {name}" for who in ("points", "robots") for name in DECISIONS},

@@ -77,7 +77,6 @@ S55 = claim(
     f"{SCENES} points a batch past one to three standing players anywhere on their way, ranges with an error of "
     f"{100 * NOISE:.0f} %; steps after which the goal is farther away.",
     measured("steps away from the goal", lambda s: float(s["away"].sum()), at_most=0.0),
-    reported("runs that arrive", "arrived", unit="%"),
     rules=NO_MATCH, measure=steps_away, batches=8, seconds=0.3,
     without=Ablation("the limit of 70 degrees: a step at a smaller angle shortens the way",
                      partial(steps_away, clamp=False)),
@@ -179,7 +178,5 @@ S57 = claim(
     reported("gap up to 20 degrees askew: without the rule over with it",
              partial(side_change_ratio, seen=" noisy askew")),
     reported("harder set: without the rule over with it", partial(side_change_ratio, seen=" hard")),
-    reported("robots that pass and touch nobody, with the rule", "clean rule", unit="%"),
-    reported("robots that do so without the rule", "clean limit", unit="%"),
     measure=compare_gaps_with_robots, figures=gap_figures, batches=6, seconds=6.0,
 )  # fmt: skip

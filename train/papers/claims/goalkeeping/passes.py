@@ -16,7 +16,7 @@ from soccer_env.train.papers.claim import FIRST, Batch, claim, compare
 from soccer_env.train.papers.claims.goalkeeping.shots import SHOT_TEXT, SHOTS, face_shots
 from soccer_env.train.papers.plots import each, plot, plot_bins
 from soccer_env.train.papers.staging import MIDDLE
-from soccer_env.train.papers.values import gain, mean, median
+from soccer_env.train.papers.values import gain, mean
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 BALLS = 48  # of a batch
@@ -85,8 +85,6 @@ H24 = claim(
     f"{BALL_TEXT}; with the ball's velocity, and with none in its belief (filter=none), all else the same.",
     measured("more balls are had, of 100", gain, "with got", "without got", above=5.0),
     reported("with it, going to where the ball is (intercepts=False)", "follows got", unit="%"),
-    reported("time with it, of those had", lambda s: median(s["with time"][s["with got"] > 0]), unit="s"),
-    reported("time without it", lambda s: median(s["without time"][s["without got"] > 0]), unit="s"),
     measure=lambda batch: compare(WAYS, lambda how: receive(batch, how[0], memory=how[1]), FIRST),
     figures=plot_bins("Passes received", "speed of the ball [m/s]", "received [%]",
                       {"with the ball's velocity": "with got", "without": "without got"}, "with speed",
@@ -144,8 +142,6 @@ H03 = claim(
     f"after which the ball arrives at {HeinemannSettings().pass_arrival:g} m/s, and with all of it; had as in H24.",
     measured("more passes are had, of 100", gain, "soft got", "full got", above=20.0),
     measured("controlled passes had", "soft got", unit="%", above=50.0),
-    reported("fastest ball after a full kick (mean), which was put in", "full top", unit="m/s"),
-    reported("speed after a controlled kick", "soft top", unit="m/s"),
     measure=lambda batch: compare({"soft": True, "full": False}, partial(kick_passes, batch), FIRST),
     batches=4, seconds=5.0,
     ingredients=("the kicker's 0 to 10 m/s and the scatter of 5 % and 2 degrees of a kick",),

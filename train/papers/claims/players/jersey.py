@@ -16,7 +16,7 @@ from soccer_env.train.papers.claims.players import watching
 from soccer_env.train.papers.plots import Drawing, columns, part, plot, plot_bins, plots
 from soccer_env.train.papers.staging import OPEN_FLOOR, begin_scene, put, record, still_actions
 from soccer_env.train.papers.values import mean, median, ratio, rms, row_means, subtract_row_mean
-from soccer_env.train.papers.verdicts import Samples, measured, reported
+from soccer_env.train.papers.verdicts import Samples, measured
 
 JERSEYS = (0.7, 1.0, 1.3)  # [1] scale of all stickers
 RUNS = 32  # of each jersey
@@ -135,7 +135,6 @@ S37 = claim(
     measured("player: variation of the width over the height's", width_over_height, "all ", at_least=3.0),
     measured("largest sticker: height head-on over that from the side",
              lambda samples: float(front_over_side(samples).max()), below=1.0),
-    reported("largest sticker: variation of width over that of height", width_over_height),
     measure=measure_all_sides,
     figures=plot_over_views(SIZES, "Size of a player by the angle of view", "size [px]", 1.0), seconds=1.5,
     without=EQUAL_STICKERS,

@@ -105,8 +105,6 @@ S03 = claim(
     "(contact, and in 1.5 s no nearer to it than by a quarter of what its legs walk): neither has had the ball "
     f"{DEADLOCK:g} s later, and the ball has not moved. Beside it robots that are held in 3 v 3 play.",
     counted("held pairs without the ball 20 s later, the ball where it lay", "stuck", "held", at_least=80.0),
-    reported("the same wherever the ball is then", percent, "without", "held", unit="%"),
-    reported("pairs that come to be held", percent, "held", "one", unit="%"),
     reported("held pairs without the ball 20 s later, with recovery", percent, "without on", "held on", unit="%"),
     reported("robots held in play, not free 20 s later", percent, "play bound", "play", unit="%"),
     reported("the same where the ball lay still", percent, "lay bound", "lay", unit="%"),

@@ -13,7 +13,7 @@ from soccer_env.train.papers.claims.stuck.runs import immobilise_robots, is_reco
 from soccer_env.train.papers.claims.stuck.sampled import MATCHES, SECONDS
 from soccer_env.train.papers.plots import columns, plot, plots
 from soccer_env.train.papers.staging import begin_scene, distance_to_ball, kick_off, play, point_ahead, put, put_ball
-from soccer_env.train.papers.values import known, least_fall, least_rise, mean, middles_of
+from soccer_env.train.papers.values import known, least_fall, least_rise, middles_of
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
 HELD = 64  # robots a batch that are held
@@ -266,7 +266,6 @@ S24 = claim(
     measured("receding or turning: before false alarms less in free approaches", sign_frequency_excess, unit="pp",
              above=0.0),
     *(reported(f"false alarms in play: {name}", cause_share, i, unit="%") for i, name in enumerate(CAUSES)),
-    reported("recoveries in play, a minute and match", lambda s: mean(s["recoveries"]) * 60.0 / PLAY_TIME),
     reported("staged approaches with a false alarm", lambda s: 100.0 * s["false"].sum() / s["staged"].sum(), unit="%"),
     rules=PLAYED_AND_STAGED, measure=count_alarm_causes, least=4, batches=12, seconds=4.5,
     ingredients=("stuck_count, near_zero, clearly, near_time: assumed",),

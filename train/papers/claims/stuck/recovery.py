@@ -152,8 +152,6 @@ S29 = claim(
     reported("noticing after 5 readings and 1 s near the ball: free within 10 s, less pushing on",
              partial(recovery_gain, word="quick"), unit="pp"),
     reported("the same: ball got, less pushing on", recovery_gain, "got", "quick", unit="pp"),
-    reported("goals in 100, recovering less pushing on",
-             lambda s: 100.0 * (mean(s["goals begun"]) - mean(s["goals off"]))),
     rules=PLAYED_AND_STAGED, measure=compare_recoveries, condition="where the recovery is begun for the robot",
     figures=plot_shares("Robots held in play: free by when", "time [s]", "robots [%]", np.linspace(0.0, FUTURE, 49),
                         {"recover at once": "freed begun", "recover when they notice": "freed on",
