@@ -62,9 +62,9 @@ def losses_per_metre(samples: Samples, world: str = "") -> list[float]:
     return [float(value) for value in lost / np.maximum(metres, 1e-9)]
 
 
-def loss_increase(samples: Samples, world: str = "") -> float:
+def loss_increase(samples: Samples) -> float:
     """Return the losses per metre at a step length of 4 cm minus twice the losses at 3.5 cm."""
-    by_step = losses_per_metre(samples, world)
+    by_step = losses_per_metre(samples)
     return by_step[STEPS.index(0.040)] - 2.0 * by_step[STEPS.index(PAPER_STEP)]
 
 
@@ -109,15 +109,15 @@ def walking_actions(match: Match, step: float, angle: np.ndarray) -> np.ndarray:
     return actions
 
 
-def wide_angle_loss_difference(samples: Samples, world: str = "") -> float:
+def wide_angle_loss_difference(samples: Samples) -> float:
     """Return the share of balls lost [%] at 60 degrees and more minus the share at 45 degrees and less."""
-    shares, angles = np.array(columns(f"{world}lost")(samples)), np.array(ANGLES)
+    shares, angles = np.array(columns("lost")(samples)), np.array(ANGLES)
     return float(shares[angles >= 60.0].mean() - shares[angles <= KNEE].mean())
 
 
-def half_loss_angle(samples: Samples, world: str = "") -> float:
+def half_loss_angle(samples: Samples) -> float:
     """Return the angle [degrees] at which losses reach half of their maximum, by linear interpolation."""
-    shares = columns(f"{world}lost")(samples)
+    shares = columns("lost")(samples)
     half = 0.5 * max(shares)
     above = next((i for i, value in enumerate(shares) if value > half), 0)
     if above == 0:

@@ -82,9 +82,9 @@ def compare_sides(batch: Batch) -> Samples:
     return samples
 
 
-def misalignment_change(samples: Samples, name: str = "", until: str = "at ball") -> float:
+def misalignment_change(samples: Samples, until: str = "at ball") -> float:
     """Return the mean change [deg] of the misalignment from before a recovery until the ball, or until "after" it."""
-    return mean(samples[f"{until}{name}"] - samples[f"before{name}"])
+    return mean(samples[until] - samples["before"])
 
 
 S27 = claim(
