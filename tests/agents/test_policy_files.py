@@ -11,10 +11,10 @@ from hypothesis import strategies as st
 
 from soccer_env.agents import policy as limits
 from soccer_env.agents.policy import Policy, training_fields
-from soccer_env.agents.policy_file import LACKS, MAX_FILE, MAX_HEADER, dump, load, parse
+from soccer_env.agents.policy_file import MAX_FILE, MAX_HEADER, dump, load, parse
 from soccer_env.leagues import Slots, find_league
 from soccer_env.observations import entry_names
-from tests.agents.staged_files import FIELDS, TABLE, WHERE, assert_content_refused, with_fields, with_table, without_key
+from tests.agents.staged_files import FIELDS, assert_content_refused, with_fields
 from tests.agents.staged_policies import random_recurrent_policy
 
 MADE = {"command": "soccer train --seed 1", "note": 'two\nlines, "quoted", ß'}
@@ -160,18 +160,9 @@ def test_a_league_is_known_by_what_it_is_and_not_by_its_name() -> None:
         trained.check_plays(replace(league, family="cats"))
 
 
-def test_a_file_of_version_1_takes_family_and_rate_from_our_league_and_one_of_2_has_no_rules() -> None:
-    first = {key: value for key, value in TABLE.items() if key not in LACKS[1]} | {"version": 1}
-    read = parse(with_table(first), WHERE)
-    assert (read.league, read.family, read.control_rate, read.rules) == ("legged-2001", "legged", 16, {})
-    read = parse(with_table({**first, "league": "middle-size-2006-differential"}), WHERE)
-    assert (read.family, read.control_rate) == ("middle-size", 50)
-    assert_content_refused(with_fields(version=1), "unknown key 'family' for version 1")
-    for league in ("icy", ["legged-2001"], None):
-        said = "is of version 1, which says nothing of leagues of one's own"
-        assert_content_refused(with_table({**first, "league": league}), said)
-    assert parse(with_table({**without_key(TABLE, "rules"), "version": 2}), WHERE).rules == {}
-    assert_content_refused(with_fields(version=2), "unknown key 'rules' for version 2")
+@pytest.mark.parametrize("version", [1, 2])
+def test_a_file_of_a_version_before_the_first_release_is_refused(version: int) -> None:
+    assert_content_refused(with_fields(version=version), f"is of format version {version}; .* reads versions 3 to 7")
 
 
 def test_inputs_are_found_by_name_and_a_missing_entry_is_named() -> None:
