@@ -11,36 +11,29 @@ from soccer_env.agents import rules_known
 from soccer_env.agents.learned import BUNDLED, BUNDLED_2006, team_from_policy
 from soccer_env.agents.policy_file import dump, load, parse
 from soccer_env.agents.rules_known import LOG, recorded, warn_once
-from soccer_env.agents.trained_with import senses_of_run, training_differences, training_senses, warn_if_observing_truth
+from soccer_env.agents.trained_with import training_differences, warn_if_observing_truth
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from soccer_env.leagues.rules import rule_set
 from soccer_env.teams import Lineup, make_team
 from soccer_env.train.evaluate import EvaluateSettings, evaluate
+from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.ppo.toml_file import settings_of
 from tests.agents.staged_policies import random_policy
-
-UNKNOWN = {"senses": "", "pose": ""}
 
 
 def test_a_file_keeps_senses_and_pose_and_is_of_the_version_that_knows_them() -> None:
     policy = random_policy(senses="sensors", pose="percept")
     read = parse(dump(policy), "file")
-    assert training_senses(read) == {"senses": "sensors", "pose": "percept"}
+    assert (read.senses, read.pose) == ("sensors", "percept")
     assert b'\\"version\\":5' in dump(policy)
-    assert b'\\"version\\":3' in dump(random_policy()) and training_senses(random_policy()) == UNKNOWN
+    assert b'\\"version\\":3' in dump(random_policy())
     assert b'\\"version\\":4' in dump(random_policy(squash=True)), "older packages read what they know"
 
 
-def test_what_a_run_left_says_it_for_files_that_are_older() -> None:
-    mixed = random_policy(made={"settings": json.dumps({"senses": "sensors", "ideal_share": 0.1, "pose": "particles"})})
-    assert training_senses(mixed) == {"senses": "", "pose": "particles"}, "some matches had ideal senses"
-    settings = json.dumps({"senses": "sensors", "ideal_share": 0.0, "pose": "percept"})
-    assert training_senses(random_policy(made={"settings": settings})) == {"senses": "sensors", "pose": "percept"}
-    for nonsense in ("", "[" * 100_000, "[]", '{"pose": 7, "senses": ["x"]}', '{"ideal_share": "much"}'):
-        assert training_senses(random_policy(made={"settings": nonsense[:2000]})) == UNKNOWN
-    assert senses_of_run({"senses": "ideal", "pose": "percept"}) == {"senses": "ideal", "pose": ""}, "it needs no pose"
-    assert senses_of_run({"senses": "sensors", "ideal_share": 1.0, "pose": "percept"})["senses"] == "ideal"
+def test_ideal_senses_need_no_pose() -> None:
+    assert TrainSettings(senses="ideal").own_senses == {"senses": "ideal", "pose": ""}
+    assert TrainSettings(pose="particles").own_senses == {"senses": "sensors", "pose": "particles"}
 
 
 def test_what_differs_is_told_of_every_policy_of_a_team() -> None:
