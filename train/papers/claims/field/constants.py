@@ -157,9 +157,6 @@ S65 = claim(
     reported("x0 tuned past standing players alone", "short range", unit="m"),
     reported("k2 tuned with points", "gain", unit="m"),
     reported("x0 tuned with points", "range", unit="m"),
-    *(reported(f"{who}, {kind}, {title}", clean_share, who, name, (kind,), unit="%")
-      for name, title in (("tuned", "constants of the points"), ("paper", "the paper's"))
-      for who in ("points", "robots") for kind in KINDS),
     measure=compare_tuned_constants, least=3, batches=6, seconds=8.0,
     ingredients=("23 cm between two middles as a collision of points, which tells them how large bodies are",),
     note="Tuned so that the coming player is passed as well, points choose forces that are stronger and reach farther "

@@ -9,7 +9,7 @@ from soccer_env.train.papers.claim import Batch, claim, shared
 from soccer_env.train.papers.claims.goalkeeping.shots import FEWER, SHOT_TEXT, SHOTS, SLOWER, SPEEDS, face_shots
 from soccer_env.train.papers.plots import each, plot, plot_bins, plot_curves, plots
 from soccer_env.train.papers.values import mean, ratio
-from soccer_env.train.papers.verdicts import Criterion, Samples, measured, reported
+from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 FIT = {"filter": "least-squares", "window": 5.0}  # a tracker of kicked balls: a line fit over five frames
 KEEPERS: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {  # settings of the team, of the memory
@@ -82,15 +82,6 @@ stance_figures = plots(
 )  # fmt: skip
 
 
-def by_radius(text: str, value: Any, *arguments: Any, unit: str = "%") -> tuple[Criterion, ...]:
-    """Return a reported number for each half circle; `value` takes the samples, "{stance}" filled in, and arguments."""
-    return tuple(
-        reported(f"{text}, half circle of {stance} m", value, *(str(one).replace("{}", stance) for one in arguments),
-                 unit=unit)
-        for stance in STANCES if stance != "line"
-    )  # fmt: skip
-
-
 H18 = claim(
     "H18", "4", "On the line d, with its delay, a goalkeeper concedes most shots at the farther post.",
     f"{STANCE_TEXT}.",
@@ -128,7 +119,6 @@ H23 = claim(
     f"{STANCE_TEXT}; how far the keeper moves before the ball is level with it.",
     measured("active keeper's way over the passive one's, until level (means)", ratio, "line active way",
              "line passive way", above=2.0),
-    *by_radius("the same", ratio, "{} active way", "{} passive way", unit=""),
     measure=compare_stances, condition="on the goal line", figures=stance_figures, batches=6, seconds=4.0,
     ingredients=INGREDIENTS,
     note=NOTE,
@@ -139,7 +129,6 @@ H30 = claim(
     f'{STANCE_TEXT}; passive keepers\' saves. The paper gives no measure of "fairly good".',
     reported("saved at the nearer post, goal line", saved_share, "near passive", unit="%"),
     reported("saved at the farther post, goal line", saved_share, "line passive", unit="%"),
-    *by_radius("saved at the farther post", saved_share, "{} passive"),
     measure=compare_stances, figures=stance_figures, batches=2, seconds=4.0,
     ingredients=INGREDIENTS,
 )  # fmt: skip
