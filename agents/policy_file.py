@@ -9,9 +9,7 @@ each once, with these types; anything else is a ValueError in one line that name
 that the policy reads, "kind" is always "slots". A policy with a memory has four more tensors (`recurrent.TENSORS`).
 
 Version 8 added skills; version 7 the memory; version 6 actions of the kind "multi"; version 5 the senses of the
-training; version 4 discrete, squashed and normalised policies, and the step of the first decision. Versions 1 and 2
-have no rules; version 1 has only the name of the league, so family and control rate are those of our league of that
-name.
+training; version 4 discrete, squashed and normalised policies, and the step of the first decision.
 
 The safetensors library checks that the header fits into the file and is JSON, that sizes agree with shapes, and that
 the tensors cover the file without holes and overlaps. It accepts duplicate names, unknown fields of a tensor and any
@@ -29,11 +27,10 @@ from safetensors import SafetensorError
 from safetensors.numpy import load as tensors_of
 from safetensors.numpy import save
 
-from soccer_env.agents.policy import MAX_INPUTS, MAX_LAYERS, Policy, league_fields
+from soccer_env.agents.policy import MAX_INPUTS, MAX_LAYERS, Policy
 from soccer_env.agents.recurrent import TENSORS
 from soccer_env.guards import whole_files
 from soccer_env.guards.checking import check_choice, short_repr
-from soccer_env.leagues import LEAGUES
 from soccer_env.match.arguments import version
 
 VERSION = 8
@@ -54,13 +51,13 @@ NEWER: dict[int, dict[str, Any]] = {
 """The keys that later versions added, and their values for older files."""
 LATEST = NEWER[4] | NEWER[5]
 LACKS = {
-    1: ("family", "control_rate", "rules", *LATEST), 2: ("rules", *LATEST), 3: tuple(LATEST), 4: tuple(NEWER[5]),
-    5: (), 6: (), 7: (),
+    3: tuple(LATEST), 4: tuple(NEWER[5]), 5: (), 6: (), 7: (),
 }  # fmt: skip
 """The keys that older files lack, by version."""
 KIND = "slots"  # the only kind of network
 KINDS = {"discrete": 4, "multi": 6, "skills": 8}  # the versions that added kinds of actions
 MEMORY = 7  # the version that added the memory
+OLDEST = min(LACKS)  # older ones were of no release
 TABLES = ("made", "rules", "normalise")
 TENSOR = {"dtype", "shape", "data_offsets"}
 
@@ -68,13 +65,13 @@ TENSOR = {"dtype", "shape", "data_offsets"}
 def dump(policy: Policy) -> bytes:
     """Return the bytes of a policy's file; equal policies give equal bytes.
 
-    The lowest version from 3 on that can hold the policy is written, so that older versions of the package can read it.
+    The lowest version that can hold the policy is written, so that older versions of the package can read it.
     """
     fields = {key: getattr(policy, key) for key in SCHEMA if key not in ("version", "kind", "inputs", *TABLES)}
     tables = {key: dict(getattr(policy, key)) for key in TABLES}
     table = {"version": VERSION, "kind": KIND, **fields, "inputs": list(policy.inputs), **tables}
     needed = [version for version, keys in NEWER.items() if any(table[key] != usual for key, usual in keys.items())]
-    table["version"] = max([3, *needed, KINDS.get(policy.actions, 3), MEMORY if policy.memory else 3])
+    table["version"] = max([OLDEST, *needed, KINDS.get(policy.actions, OLDEST), MEMORY if policy.memory else OLDEST])
     table = {key: value for key, value in table.items() if key not in LACKS.get(table["version"], ())}
     text = json.dumps(table, sort_keys=True, ensure_ascii=False, separators=(",", ":"))
     tensors = dict(zip(TENSORS, policy.memory))
@@ -177,9 +174,9 @@ def _read_policy_fields(header: Mapping[str, Any]) -> dict[str, Any]:
     if not isinstance(table, dict):
         raise ValueError(f"{KEY} must be a JSON object")
     version = table.get("version")
-    if type(version) is not int or not 1 <= version <= VERSION:
+    if type(version) is not int or not OLDEST <= version <= VERSION:
         raise ValueError(
-            f"is of format version {short_repr(version)}{describe_maker(table)} reads versions 1 to {VERSION}"
+            f"is of format version {short_repr(version)}{describe_maker(table)} reads versions {OLDEST} to {VERSION}"
         )
     fields: dict[str, Any] = table if version == VERSION else _upgrade_table(table, version)
     missing = [key for key in SCHEMA if key not in fields]
@@ -200,14 +197,7 @@ def _upgrade_table(table: dict[str, Any], version: int) -> dict[str, Any]:
     unexpected = [key for key in LACKS[version] if key in table]
     if unexpected:
         raise ValueError(f"{KEY} has an unknown key {unexpected[0]!r} for version {version}")
-    if version > 1:
-        return {**LATEST, **({"rules": {}} if version == 2 else {}), **table}
-    known = LEAGUES.get(table["league"]) if isinstance(table.get("league"), str) else None
-    if known is None:
-        raise ValueError(
-            f"is of version 1, which says nothing of leagues of one's own: {short_repr(table.get('league'))}"
-        )
-    return {**LATEST, **table, **league_fields(known), "rules": {}}
+    return {**LATEST, **table}
 
 
 def describe_maker(table: Mapping[str, Any]) -> str:

@@ -1,13 +1,12 @@
 """The senses that a policy was trained with, stored in its file, and their differences from those of a match.
 
 `senses` says what filled the beliefs of its robots ("sensors" or "ideal"), `pose` where their poses came from
-("percept" or "particles"); "": unknown, or both. Older files of `soccer train` have them in the settings of their run.
+("percept" or "particles"); "": unknown, or both.
 """
 
 from __future__ import annotations
 
-import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, NamedTuple, get_args
 
 from soccer_env.agents.rules_known import warn_once
@@ -41,29 +40,6 @@ def known_senses(senses: str | None, pose: str | None) -> dict[str, Any]:
     return {"senses": senses or "", "pose": pose or ""}
 
 
-def senses_of_run(settings: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the policy fields for the senses of a `soccer train` run, given its settings; "" if unknown or both."""
-    share = settings.get("ideal_share", 0.0)
-    senses = IDEAL if share == 1.0 else str(settings.get("senses", ""))
-    if senses not in KNOWN["senses"]:
-        senses = ""
-    pose = settings.get("pose", "")
-    pose = pose if senses != IDEAL and pose in KNOWN["pose"] else ""  # ideal senses need no pose
-    return {"senses": senses if share in (0.0, 1.0) else "", "pose": pose}
-
-
-def training_senses(policy: Policy) -> dict[str, str]:
-    """Return senses and pose of a policy's training, from its own fields or from the settings of its run."""
-    fields = {setting: getattr(policy, setting) for setting in KNOWN}
-    if any(fields.values()):
-        return fields
-    try:
-        settings = json.loads(policy.made.get("settings", ""))
-    except (ValueError, RecursionError):
-        return fields
-    return senses_of_run(settings) if isinstance(settings, dict) else fields
-
-
 def policies_in(team: Any) -> Iterator[Policy]:
     """Yield the policy of a team, or the policies of the teams in a lineup."""
     for one in getattr(team, "teams", (team,)):
@@ -76,11 +52,10 @@ def training_differences(team: Any, senses: str, pose: str) -> list[Difference]:
     """Return each difference between the training of a team's policies and these senses and pose."""
     differing = []
     for policy in policies_in(team):
-        known = training_senses(policy)
-        if known["senses"] not in ("", senses):
-            differing.append(Difference(policy, "senses", known["senses"], senses))
-        if senses != IDEAL and known["pose"] not in ("", pose):
-            differing.append(Difference(policy, "pose", known["pose"], pose))
+        if policy.senses not in ("", senses):
+            differing.append(Difference(policy, "senses", policy.senses, senses))
+        if senses != IDEAL and policy.pose not in ("", pose):
+            differing.append(Difference(policy, "pose", policy.pose, pose))
     return differing
 
 

@@ -68,12 +68,12 @@ def test_a_match_and_its_copy_have_one_future(way: Callable[[Any], Any], setting
 def test_in_scrums_too(league: str, home: int, seconds: float) -> None:
     """Robots that press each other have contacts, of which Chipmunk remembers the impulses; a save knows none."""
     teams = {"home": "chaser", "away": "chaser"}
-    match = Match(league, home=home, away=home, matches=250, controllers=teams, senses="ideal", seed=3, minutes=5.0)
+    match = Match(league, home=home, away=home, matches=100, controllers=teams, senses="ideal", seed=3, minutes=5.0)
     rate = int(match.league.control_rate)
     for _ in range(int(seconds * rate)):
         match.step()
     copies = 0
-    while copies < 500:  # of matches in which robots touch each other at that moment
+    while copies < 200:  # of matches in which robots touch each other at that moment
         copies += int(match.robot_events["collision"].any(axis=1).sum())
         other = pickle_copy(match)
         for _ in range(rate // 2):

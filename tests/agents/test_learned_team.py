@@ -13,9 +13,9 @@ from soccer_env import Match
 from soccer_env.agents.learned import first_decision_step, team_from_policy
 from soccer_env.leagues import find_league
 from soccer_env.observations import entry_names
-from soccer_env.teams import TeamRandom, View, make_team
+from soccer_env.teams import TeamRandom, View
 from soccer_env.types import COMMAND
-from tests.agents.staged_policies import decide, random_policy, team_from_disk
+from tests.agents.staged_policies import decide, random_policy
 from tests.scenes.staging import play
 from tests.scenes.symmetry import Records, mirrored
 
@@ -111,28 +111,6 @@ def test_a_policy_of_fewer_inputs_plays_as_its_network_says_to_these(mirror: boo
         assert (commanded(match)[0, :2, :4] == decide(policy, seen[:, columns])).all()
 
 
-def test_a_policy_plays_beside_other_teams_of_its_side() -> None:
-    policy = random_policy(16)
-    teams = {"home_1": team_from_policy(policy), "home": "chaser", "away": "still"}
-    match = Match(home=3, away=1, controllers=teams, seed=1)
-    for _ in range(20):
-        match.step()
-        squad = next(squad for squad in match.squads if squad.name == "lively")
-        assert squad.players.tolist() == [1]
-        assert (commanded(match)[0, 1, :4] == decide(policy, squad.observations[0, 1:2])[0]).all()
-
-
-def test_a_team_from_a_file_plays_as_the_policy_itself(tmp_path: Path) -> None:
-    policy = random_policy(16, 8, action_repeat=4, mirror=True)
-    hashes = []
-    saved = team_from_disk(policy, tmp_path)
-    for team in (saved, team_from_policy(policy), make_team(saved)):
-        match = Match(home=2, away=2, controllers={"home": team, "away": team}, seed=1)
-        play(match, steps=60)
-        hashes.append(match.state_hash())
-    assert len(set(hashes)) == 1
-
-
 def test_a_match_plays_alone_as_among_64_and_on_two_threads_as_on_one() -> None:
     team = team_from_policy(random_policy(16, action_repeat=4))
     hashes = []
@@ -192,24 +170,6 @@ for make, activation in ((make, activation) for make in makers for activation in
         run = subprocess.run(command, capture_output=True, text=True, env=environment, check=True)
         printed.append(run.stdout.split())
     assert printed[0] == printed[1] and len(set(printed[0])) == 4
-
-
-def test_which_of_two_team_mates_stands_where_changes_no_action() -> None:
-    """Slots go by distance; with ideal senses, for the numbers of the others are in no observation."""
-    sides = {"home": team_from_policy(random_policy(32)), "away": "still"}
-    match, swapped = (Match(home=3, away=2, controllers=sides, seed=2, senses="ideal") for _ in range(2))
-    play(match, steps=30)
-    records = Records.of(match)
-    records.robots[:, [1, 2]] = records.robots[:, [2, 1]]
-    for name in ("number", "keeper"):
-        records.robots[name] = match.robots[name]
-    records.put_into(swapped)
-    swapped.squads[0].memory[:] = match.squads[0].memory
-    assert (match.robots["x"][0, 1:3] != match.robots["x"][0, 2:0:-1]).all()
-    match.step()
-    swapped.step()
-    assert (commanded(match)[0, [0, 2, 1]] == commanded(swapped)[0, :3]).all()
-    assert (commanded(match)[0, 1] != commanded(match)[0, 2]).any()
 
 
 @pytest.mark.parametrize("observe", ["truth", "belief"])

@@ -11,10 +11,10 @@ from hypothesis import strategies as st
 
 from soccer_env.agents import policy as limits
 from soccer_env.agents.policy import Policy, training_fields
-from soccer_env.agents.policy_file import LACKS, MAX_FILE, MAX_HEADER, dump, load, parse
-from soccer_env.leagues import LEAGUES, Slots, find_league
+from soccer_env.agents.policy_file import MAX_FILE, MAX_HEADER, dump, load, parse
+from soccer_env.leagues import Slots, find_league
 from soccer_env.observations import entry_names
-from tests.agents.staged_files import FIELDS, TABLE, WHERE, assert_content_refused, with_fields, with_table, without_key
+from tests.agents.staged_files import FIELDS, assert_content_refused, with_fields
 from tests.agents.staged_policies import random_recurrent_policy
 
 MADE = {"command": "soccer train --seed 1", "note": 'two\nlines, "quoted", ß'}
@@ -101,11 +101,8 @@ def test_arrays_are_copied_and_cannot_be_written_to() -> None:
         ({"name": 3}, "name must be 1 to 64 characters .* got 3"),
         ({"league": ""}, "league must be"),
         ({"family": "Middle size"}, "family must be 1 to 64 lower-case letters, digits and -, got 'Middle size'"),
-        ({"family": 3}, "family must be .* got 3"),
         ({"control_rate": 0}, "control_rate must be 1 to 1000, got 0"),
-        ({"control_rate": 16.0}, "control_rate must be 1 to 1000, got 16.0"),
         ({"observe": "all"}, "observe must be one of truth, percepts, belief, got 'all'"),
-        ({"observe": ["truth"]}, "observe must be one of"),
         ({"actions": "words"}, "actions must be one of box, full, discrete, multi, skills"),
         ({"actions": "discrete"}, r"layer1 must have a weight \(12, 3\) and a bias \(12,\), got \(4, 3\)"),
         ({"actions": "discrete", "squash": True}, "mirror and squash must be False where actions are discrete"),
@@ -118,7 +115,6 @@ def test_arrays_are_copied_and_cannot_be_written_to() -> None:
         ({"inputs": ()}, "inputs must be a tuple of 1 to 4096 names, got 0"),
         ({"inputs": tuple(f"i{n}" for n in range(4097))}, "1 to 4096 names, got 4097"),
         ({"inputs": ("ball_x", "ball_x")}, "input 1 must have a name of its own"),
-        ({"inputs": ("ball_x", 3)}, "input 1 must be 1 to 64 characters .* got 3"),
         ({"inputs": ("ball_x", "ball y")}, "input 1 must be 1 to 64 characters"),
         ({"inputs": ("ball_x",)}, r"layer0 must have a weight \(3, 1\)"),
         ({"made": "me"}, "made must be a mapping"),
@@ -126,22 +122,15 @@ def test_arrays_are_copied_and_cannot_be_written_to() -> None:
         ({"made": {"seed": 1}}, r"made\['seed'\] must be a text of at most 2000 characters, got 1"),
         ({"made": {"log": "x" * 2001}}, r"made\['log'\] must be .* got 2001 characters"),
         ({"made": {"log": "\x1b[31m"}}, r"made\['log'\] must be plain text"),
-        ({"made": {"log": "\ud800"}}, r"made\['log'\] must be plain text"),
         ({"made": {"a\nb": ""}}, "a key of made must be"),
         ({"weights": []}, "must be tuples of the same length"),
-        ({"weights": (), "biases": ()}, "1 to 8 layers, got 0"),
         ({"weights": (ones(4, 2),) * 9, "biases": (ones(4),) * 9}, "1 to 8 layers, got 9"),
-        ({"weights": (ones(4, 2),)}, "must be tuples of the same length"),
         ({"weights": (ones(4, 2).astype(float),), "biases": (ones(4),)}, "layer0.weight must .* got float64"),
         ({"weights": (ones(4, 2),), "biases": ([1.0] * 4,)}, "layer0.bias must be an array of float32, got list"),
         ({"weights": (ones(4, 3),), "biases": (ones(4),)}, r"layer0 must have a weight \(4, 2\)"),
-        ({"weights": (ones(5, 2),), "biases": (ones(5),)}, r"layer0 must have a weight \(4, 2\)"),
-        ({"weights": (ones(8),), "biases": (ones(4),)}, r"layer0 must have a weight \(4, 2\)"),
         ({"weights": (ones(3, 2), ones(4, 3)), "biases": (ones(1, 3), ones(4))}, "layer0.bias must have the shape"),
-        ({"weights": (ones(0, 2), ones(4, 0)), "biases": (ones(0), ones(4))}, "layer0.bias must have the shape"),
         ({"weights": (ones(1025, 2), ones(4, 1025)), "biases": (ones(1025), ones(4))}, "layer0.bias must have the "),
         ({"weights": (ones(4, 2) * np.nan,), "biases": (ones(4),)}, "layer0 must be finite"),
-        ({"weights": (ones(4, 2),), "biases": (ones(4) * -np.inf,)}, "layer0 must be finite"),
         ({"weights": (ones(4, 2) * 3e37,), "biases": (ones(4),)}, "layer0 must stay below 1e[+]37"),
         ({"activation": "relu", "weights": (ones(3, 2) * 1e20, ones(4, 3) * 1e20)}, "layer1 must stay below"),
     ],
@@ -158,20 +147,6 @@ def test_too_many_weights_are_refused_and_tanh_bounds_what_follows_it() -> None:
     replace(policy(), weights=(ones(3, 2) * 1e20, ones(4, 3) * 1e20))
 
 
-@pytest.mark.parametrize("observe", ["truth", "percepts", "belief"])
-@pytest.mark.parametrize("league", ["legged-2001", "middle-size-2006"])
-def test_a_policy_plays_its_league_and_its_variants(league: str, observe: str) -> None:
-    own = find_league(league)
-    trained = policy(inputs=tuple(entry_names(own, observe)), observe=observe, **training_fields(own))
-    for name, preset in LEAGUES.items():
-        if preset.family == own.family:
-            trained.check_plays(preset)
-            continue
-        said = f"trained in '{league}' of family {own.family}, '{name}' is of family"
-        with pytest.raises(ValueError, match=said):
-            trained.check_plays(preset)
-
-
 def test_a_league_is_known_by_what_it_is_and_not_by_its_name() -> None:
     league = find_league("legged-2001")
     trained = policy(inputs=tuple(entry_names(league, "truth")), **training_fields(league))
@@ -185,18 +160,9 @@ def test_a_league_is_known_by_what_it_is_and_not_by_its_name() -> None:
         trained.check_plays(replace(league, family="cats"))
 
 
-def test_a_file_of_version_1_takes_family_and_rate_from_our_league_and_one_of_2_has_no_rules() -> None:
-    first = {key: value for key, value in TABLE.items() if key not in LACKS[1]} | {"version": 1}
-    read = parse(with_table(first), WHERE)
-    assert (read.league, read.family, read.control_rate, read.rules) == ("legged-2001", "legged", 16, {})
-    read = parse(with_table({**first, "league": "middle-size-2006-differential"}), WHERE)
-    assert (read.family, read.control_rate) == ("middle-size", 50)
-    assert_content_refused(with_fields(version=1), "unknown key 'family' for version 1")
-    for league in ("icy", ["legged-2001"], None):
-        said = "is of version 1, which says nothing of leagues of one's own"
-        assert_content_refused(with_table({**first, "league": league}), said)
-    assert parse(with_table({**without_key(TABLE, "rules"), "version": 2}), WHERE).rules == {}
-    assert_content_refused(with_fields(version=2), "unknown key 'rules' for version 2")
+@pytest.mark.parametrize("version", [1, 2])
+def test_a_file_of_a_version_before_the_first_release_is_refused(version: int) -> None:
+    assert_content_refused(with_fields(version=version), f"is of format version {version}; .* reads versions 3 to 7")
 
 
 def test_inputs_are_found_by_name_and_a_missing_entry_is_named() -> None:

@@ -176,13 +176,6 @@ def test_the_activation_is_the_zips_own(plain: Path, tmp_path: Path) -> None:
     assert_zip_refused(path, "its activation is relu, not tanh", activation="tanh")
 
 
-def test_a_name_is_made_from_the_file(plain: Path, tmp_path: Path) -> None:
-    path = tmp_path / "..ö|best" / "-(ö) best|.zip"
-    path.parent.mkdir()
-    assert read(rewrite_zip(plain, path)).name == "best-"
-    assert read(plain, name="mine").name == "mine"
-
-
 def test_the_rules_of_the_training_are_kept_where_they_are_said(plain: Path, tmp_path: Path) -> None:
     assert read(plain).rules == {}
     asked = {"league": "legged-2001", "observe": "truth", "rules": "simple:pushing=True"}

@@ -11,44 +11,29 @@ from soccer_env.agents import rules_known
 from soccer_env.agents.learned import BUNDLED, BUNDLED_2006, team_from_policy
 from soccer_env.agents.policy_file import dump, load, parse
 from soccer_env.agents.rules_known import LOG, recorded, warn_once
-from soccer_env.agents.trained_with import senses_of_run, training_differences, training_senses, warn_if_observing_truth
+from soccer_env.agents.trained_with import training_differences, warn_if_observing_truth
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
-from soccer_env.leagues.rules import SWITCHES, rule_set
+from soccer_env.leagues.rules import rule_set
 from soccer_env.teams import Lineup, make_team
 from soccer_env.train.evaluate import EvaluateSettings, evaluate
+from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.ppo.toml_file import settings_of
-from tests.agents.staged_files import TABLE, assert_content_refused, with_fields
-from tests.agents.staged_policies import random_policy, team_from_disk
-
-UNKNOWN = {"senses": "", "pose": ""}
+from tests.agents.staged_policies import random_policy
 
 
 def test_a_file_keeps_senses_and_pose_and_is_of_the_version_that_knows_them() -> None:
     policy = random_policy(senses="sensors", pose="percept")
     read = parse(dump(policy), "file")
-    assert training_senses(read) == {"senses": "sensors", "pose": "percept"}
+    assert (read.senses, read.pose) == ("sensors", "percept")
     assert b'\\"version\\":5' in dump(policy)
-    assert b'\\"version\\":3' in dump(random_policy()) and training_senses(random_policy()) == UNKNOWN
+    assert b'\\"version\\":3' in dump(random_policy())
     assert b'\\"version\\":4' in dump(random_policy(squash=True)), "older packages read what they know"
 
 
-def test_another_word_is_refused() -> None:
-    fields = {**TABLE, "squash": False, "at_once": False, "normalise": {}, "version": 5}
-    assert_content_refused(with_fields(**fields, senses="sensors", pose="compass"), "pose must be one of")
-    assert_content_refused(with_fields(**fields, senses="eyes", pose=""), "senses must be one of")
-    assert_content_refused(with_fields(**{**fields, "version": 4}, pose=""), "unknown key 'pose' for version 4")
-
-
-def test_what_a_run_left_says_it_for_files_that_are_older() -> None:
-    mixed = random_policy(made={"settings": json.dumps({"senses": "sensors", "ideal_share": 0.1, "pose": "particles"})})
-    assert training_senses(mixed) == {"senses": "", "pose": "particles"}, "some matches had ideal senses"
-    settings = json.dumps({"senses": "sensors", "ideal_share": 0.0, "pose": "percept"})
-    assert training_senses(random_policy(made={"settings": settings})) == {"senses": "sensors", "pose": "percept"}
-    for nonsense in ("", "[" * 100_000, "[]", '{"pose": 7, "senses": ["x"]}', '{"ideal_share": "much"}'):
-        assert training_senses(random_policy(made={"settings": nonsense[:2000]})) == UNKNOWN
-    assert senses_of_run({"senses": "ideal", "pose": "percept"}) == {"senses": "ideal", "pose": ""}, "it needs no pose"
-    assert senses_of_run({"senses": "sensors", "ideal_share": 1.0, "pose": "percept"})["senses"] == "ideal"
+def test_ideal_senses_need_no_pose() -> None:
+    assert TrainSettings(senses="ideal").own_senses == {"senses": "ideal", "pose": ""}
+    assert TrainSettings(pose="particles").own_senses == {"senses": "sensors", "pose": "particles"}
 
 
 def test_what_differs_is_told_of_every_policy_of_a_team() -> None:
@@ -97,11 +82,6 @@ def warnings_of(caplog: pytest.LogCaptureFixture, policy_rules: str, rules: str)
     return [record.message for record in caplog.records if record.name == LOG.name]
 
 
-def test_under_its_own_rules_nothing_is_said(caplog: pytest.LogCaptureFixture) -> None:
-    assert warnings_of(caplog, "league", "league") == []
-    assert warnings_of(caplog, "league:pushing=True", "league:pushing=True,holding_time=3") == [], "another name"
-
-
 def test_other_rules_are_told_once_with_both_names_and_each_rule_that_differs(caplog: pytest.LogCaptureFixture) -> None:
     theirs = "simple:pushing=True,holding_time=5"
     (text,) = warnings_of(caplog, theirs, "simple:illegal_defender=True")
@@ -123,14 +103,6 @@ def test_a_file_without_rules_is_said_to_be_older_than_they_are(caplog: pytest.L
     (record,) = caplog.records
     assert "does not say under which rules it was trained, and now plays under 'simple'" in record.message
     assert "save_policy or convert_sb3 and rules=..., or give FILE.zip:rules=league" in record.message
-
-
-def test_a_file_keeps_every_switch_and_number(tmp_path: Path) -> None:
-    policy = replace(random_policy(), rules=recorded(under("simple:pushing=True,pushing_time=4.5").rules))
-    read = parse(dump(policy), "file")
-    assert read.rules == policy.rules == team_from_disk(policy, tmp_path).policy.rules
-    assert read.rules["name"] == "simple:pushing=True,pushing_time=4.5" and read.rules["pushing_time"] == 4.5
-    assert set(SWITCHES) <= set(read.rules) and rules_known.rule_differences(read.rules, under("simple").rules)
 
 
 LEAST_STEPS = 0.99  # [1] of the steps asked for: a run ends with whole rollouts

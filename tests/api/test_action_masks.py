@@ -12,8 +12,7 @@ def by_parts(mask) -> list[np.ndarray]:
     return list(mask) if isinstance(mask, tuple) else [mask]
 
 
-@pytest.mark.parametrize("infos", ["flat", "full", "nested"])
-@pytest.mark.parametrize("actions", ["discrete", "multi", "skills"])
+@pytest.mark.parametrize(("actions", "infos"), [("discrete", "flat"), ("multi", "nested"), ("skills", "full")])
 @pytest.mark.parametrize("league", LEAGUES)
 def test_an_action_space_samples_by_the_mask_of_its_agent(league, actions, infos):
     env = soccer_v0.parallel_env(league=league, home=2, away=1, actions=actions, infos=infos, max_cycles=40)

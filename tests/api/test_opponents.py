@@ -7,19 +7,15 @@ import gymnasium
 import numpy as np
 import pytest
 
-from soccer_env import Lineup, Match, make_team, soccer_v0, team_of_function
+from soccer_env import Lineup, Match, soccer_v0
 from soccer_env.replay import Recorder
 from soccer_env.train.ppo.vec_env import SoccerVecEnv
 from tests.agents.staged_policies import random_policy, team_from_disk
-from tests.scenes.staged_envs import play, still_actions
+from tests.scenes.staged_envs import still_actions
 from tests.scenes.staging import refused
 
 NESTED: dict[str, Any] = {"infos": "nested"}
 SHORT: dict[str, Any] = {"home": 1, "away": 1, "max_cycles": 3, **NESTED}
-
-
-def rested(observations: np.ndarray) -> np.ndarray:
-    return np.zeros((*observations.shape[:2], 4))
 
 
 def named_in(env: Any) -> list[str]:
@@ -58,13 +54,6 @@ def test_a_reset_changes_the_opponents_and_goes_on_with_the_seeds_episodes() -> 
     assert set(named_in(env)) <= {"still", "random"}
     env.reset()
     assert set(named_in(env)) <= {"still", "random"}, "they stay"
-
-
-def test_functions_and_policies_come_and_go() -> None:
-    env = soccer_v0.parallel_env(home=1, away=2, max_cycles=3, opponents="chaser", infos="nested")
-    for opponents, name in ((team_of_function(rested), "rested"), ("learned", "learned"), ("still", "still")):
-        env.reset(seed=1, options={"opponents": opponents})
-        assert named_in(env)[-1] == name and env.match.squads[-1].players.tolist() == [1, 2]
 
 
 @pytest.mark.parametrize(
@@ -168,22 +157,6 @@ FLAT: dict[str, Any] = {"home": 1, "away": 1, "max_cycles": 3}
 ID = "soccer_env/Legged2001-1v1-v0"
 
 
-def test_the_number_in_flat_infos_is_the_place_of_the_name_in_nested_ones() -> None:
-    settings = {**FLAT, "opponents": Lineup(["still", "chaser@0.5", "random"])}
-    flat, nested = (soccer_v0.parallel_env(**settings, infos=infos) for infos in ("full", "nested"))
-    assert flat.opponent_names == nested.opponent_names == ["learner", "still", "chaser@0.5", "random"]
-    met = set()
-    for episode in range(8):
-        told = [env.reset(seed=2 if episode == 0 else None)[1]["home_0"] for env in (flat, nested)]
-        while True:
-            assert flat.opponent_names[told[0]["opponent"]] == told[1]["opponent"]
-            met.add(told[1]["opponent"])
-            if not flat.agents:
-                break
-            told = [env.step(still_actions(env))[4]["home_0"] for env in (flat, nested)]
-    assert met == {"still", "chaser@0.5", "random"}
-
-
 def test_others_that_a_reset_brings_come_behind_so_that_numbers_keep_their_meaning() -> None:
     env = soccer_v0.parallel_env(**FLAT, opponents="still")
     env.reset(seed=1)
@@ -194,47 +167,12 @@ def test_others_that_a_reset_brings_come_behind_so_that_numbers_keep_their_meani
     assert env.opponent_names == ["learner", "still", "random", "chaser"] and seen == [2, 3, 1]
 
 
-def test_a_load_tells_who_plays_in_the_episode_that_it_brings() -> None:
-    for infos in ("flat", "nested"):
-        env = soccer_v0.parallel_env(**FLAT, opponents=Lineup(["still", "random"]), infos=infos)
-        _, first = env.reset(seed=3)
-        saved, told = env.save(), first
-        while told["home_0"]["opponent"] == first["home_0"]["opponent"]:
-            _, told = env.reset()
-        assert env.load(saved)[1]["home_0"]["opponent"] == first["home_0"]["opponent"]
-
-
 def test_who_meets_a_learner_is_told_so_and_each_side_has_its_own_opponent() -> None:
     env = soccer_v0.parallel_env(home=2, away=1, teammates="random")
     _, infos = env.reset(seed=1)
     assert {agent: info["opponent"] for agent, info in infos.items()} == {"home_1": 0, "away_0": 0}
     solo = gymnasium.make(ID, agent="away_0", opponents="still").unwrapped
     assert solo.opponent_names[solo.reset(seed=1)[1]["opponent"]] == "still"  # type: ignore[attr-defined]
-
-
-@pytest.mark.parametrize("mode", ["NextStep", "SameStep"])
-def test_a_vector_env_says_so_of_all_matches_and_of_episodes_that_ended(mode: str) -> None:
-    chooser = Lineup(["still", "random"])
-    asked: dict[str, Any] = {"num_envs": 12, "opponents": chooser, "max_cycles": 2, "autoreset_mode": mode}
-    envs: Any = gymnasium.make_vec(ID, **asked).unwrapped
-    words: Any = gymnasium.make_vec(ID, **asked, infos="nested")
-    names = np.array(envs.opponent_names, object)
-    told, said = envs.reset(seed=1)[1], words.reset(seed=1)[1]
-    for _ in range(6):
-        assert (names[told["opponent"]] == said["opponent"]).all()
-        told, said = envs.step(np.zeros((12, 4)))[4], words.step(np.zeros((12, 4)))[4]
-        if "final_info" in told:
-            assert (names[told["final_info"]["opponent"]] == said["final_info"]["opponent"]).all()
-    assert ("final_info" in told) == (mode == "SameStep") and envs.opponent_names == ["learner", "still", "random"]
-    envs.reset(options={"opponents": "chaser"})
-    assert envs.opponent_names == ["learner", "still", "random", "chaser"]
-
-
-def test_one_at_a_time_knows_the_names_too() -> None:
-    env: Any = soccer_v0.env(**FLAT, opponents="random")
-    env.reset(seed=1)
-    assert env.opponent_names[env.last()[4]["opponent"]] == "random"
-    assert [cycle[1][4]["home_0"]["opponent"] for cycle in play(env.env.env, 2)] == [1, 1]
 
 
 def test_rows_of_stable_baselines_hear_the_name_when_an_episode_ends() -> None:
@@ -249,27 +187,9 @@ def test_rows_of_stable_baselines_hear_the_name_when_an_episode_ends() -> None:
     assert [result.opponent for result in env.take_results()] == before
 
 
-def test_a_team_has_one_name_however_it_was_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.chdir(tmp_path)
-    team_from_disk(random_policy(), tmp_path)
-    env = soccer_v0.parallel_env(**FLAT, opponents=Lineup(["lively.safetensors", "chaser@0.25"]))
-    weak = make_team("chaser", strength=0.25)
-    others = (str(tmp_path / "lively.safetensors"), make_team("lively.safetensors"), "chaser@0.25", weak, "chaser@.250")
-    for opponents in (*others, Lineup(list(others[1:3])), "chaser@1", "chaser:patience=2"):
-        env.reset(seed=1, options={"opponents": opponents})
-    assert env.opponent_names == ["learner", "lively", "chaser@0.25", "chaser", "chaser:patience=2"]
-
-
 def test_policies_of_one_name_in_a_lineup_are_told_apart_by_their_files(tmp_path: Path) -> None:
     for folder in ("a", "b"):
         (tmp_path / folder).mkdir()
         team_from_disk(random_policy(), tmp_path / folder)
     files = [str(tmp_path / folder / "lively.safetensors") for folder in ("a", "b")]
     assert Lineup([*files, "still"]).names == (*files, "still")
-
-
-def test_a_replay_says_which_strength_played() -> None:
-    match = Match(home=1, away=1, opponents="chaser@0.25", teammates="still", controllers={"home": "chaser"}, seed=1)
-    recorder = Recorder(match)
-    match.step()
-    assert recorder.stop().teams == ("chaser", "chaser@0.25")

@@ -5,14 +5,11 @@ from dataclasses import replace
 from typing import Any
 
 import gymnasium
-import numpy as np
 import pytest
 
-from soccer_env import Match, make_team, soccer_v0, team_of_function
+from soccer_env import Match, soccer_v0
 from soccer_env.api.report import MatchScreen
 from soccer_env.leagues import find_league
-from soccer_env.replay import Recorder
-from soccer_env.scenes import SCENES, Scene, mixture
 from tests.scenes.staged_envs import make_single_env, make_vector_env
 
 
@@ -35,58 +32,12 @@ def test_what_cannot_be_drawn_is_shown_in_words(monkeypatch: pytest.MonkeyPatch,
     assert match._repr_png_() is None
 
 
-def test_a_team_is_shown_by_what_was_asked_of_it() -> None:
-    assert repr(make_team("chaser")) == "CompiledTeam('chaser')"
-    assert repr(make_team("chaser@0.5")) == "CompiledTeam('chaser', strength=0.5)"
-    assert repr(make_team("heinemann-2006:passes=False")) == "CompiledTeam('heinemann-2006', passes=False)"
-    assert repr(make_team("learned")) == "LearnedTeam('learned', observe='belief')"
-
-
-def test_a_team_of_a_function_shows_what_was_asked_of_it() -> None:
-    """And no function, no dtype's inside and no default."""
-
-    def walk(observations: np.ndarray, memory: np.ndarray | None = None) -> np.ndarray:
-        return np.zeros((*observations.shape[:2], 4))
-
-    assert repr(team_of_function(walk)) == "FunctionTeam('walk', observe='belief')"
-    asked = team_of_function(walk, observe="truth", action_repeat=4, memory=("f4", (64,)), flat=True, name="mine")
-    words = "observe='truth', action_repeat=4, memory=\"('<f4', (64,))\", flat=True"
-    assert repr(asked) == f"FunctionTeam('mine', {words})"
-
-
-def test_a_scene_is_shown_by_what_it_asks_for() -> None:
-    assert repr(SCENES["kick-off"]) == "<Scene kick-off: a match from the kick-off on>"
-    assert repr(SCENES["empty-goal"]) == "<Scene empty-goal: home scores, 60 s>"
-    mixed = "kick-off:0.5,empty-goal:0.5"
-    assert repr(mixture(mixed)) == f"<Mixture {mixed}: one of several scenes>"
-    assert repr(Scene("own", "mine", success=np.zeros_like)) == "<Scene own: zeros_like>"
-
-
-def test_a_replay_is_shown_by_who_played_and_how_long() -> None:
-    match = Match(home=1, away=1, seed=1, controllers={"home": "chaser", "away": "still"})
-    recorder = Recorder(match)
-    match.step()
-    assert repr(recorder).startswith("<Recorder of <Match legged-2001: ")
-    assert repr(recorder).endswith(": 1 control steps>")
-    assert repr(recorder.stop()) == "<Replay of chaser against still: 1 control steps>"
-
-
 def test_a_league_is_shown_by_its_size_and_told_in_full_by_every_number() -> None:
     league = find_league("legged-2001")
     assert repr(league) == "<League legged-2001: legged, 3 x 2 m, 3 a side, 16 steps a second>"
     other = replace(league, ball=replace(league.ball, radius=0.05))
     assert repr(other) == repr(league) and other.in_full() != league.in_full()
     assert "radius=0.05" in other.in_full()
-
-
-def test_rows_are_shown_by_the_call_that_makes_them() -> None:
-    pytest.importorskip("stable_baselines3")
-    from soccer_env.train.ppo.vec_env import SoccerVecEnv
-
-    env = SoccerVecEnv(players=[(2, 1)], matches=3, opponents="still")
-    given = "league='legged-2001', players=[(2, 1)], matches=3, opponents='still'"
-    assert repr(env) == f"<SoccerVecEnv of 6 robots in 3 matches: {given}>"
-    assert env._repr_png_() == env.matches[0]._repr_png_()
 
 
 def test_an_env_is_written_as_the_call_that_makes_it():

@@ -77,15 +77,6 @@ def test_a_save_of_an_episode_that_has_ended_leaves_nobody_to_act() -> None:
         other.step(drawn(env, 1)[0])
 
 
-def test_one_match_of_a_vector_env_goes_into_others() -> None:
-    envs = made("vector")
-    envs.reset(seed=1)
-    for actions in drawn(envs, 5):
-        envs.step(actions)
-    seen, infos = envs.load(envs.save(rows=0), rows=[1, 2])
-    assert np.array_equal(seen[1], seen[0]) and np.array_equal(seen[2], seen[0]) and len(infos["phase"]) == 3
-
-
 @pytest.mark.parametrize("kind", ["parallel", "solo", "vector"])
 def test_what_cannot_be_saved_or_loaded_is_said(kind: str) -> None:
     env, other = made(kind), made(kind, minutes=3.0)

@@ -14,7 +14,7 @@ from soccer_env.skills.moves import KEPT_OFF, brake_before_robots
 from soccer_env.skills.set_pieces import KEPT, PASSES_BY, note_set_piece, should_block_opponent, waypoint_round_ball
 from soccer_env.skills.sight import SIGHT
 from soccer_env.types import Foul, Phase
-from tests.scenes.staging import LEAGUES, MIDDLE, endless, place
+from tests.scenes.staging import MIDDLE, endless, place
 
 LEAGUE = find_league(MIDDLE)
 K = constants_of(LEAGUE)[0]
@@ -190,38 +190,8 @@ def drill(league: str, scene: str, home: str, away: str, matches: int) -> float:
     return float(succeeded.mean())
 
 
-@pytest.mark.parametrize("league", LEAGUES)
-def test_it_scores_into_an_empty_goal_close_by(league: str) -> None:
-    assert drill(league, "empty-goal", "chaser", "still", 100) >= 0.95
-
-
-@pytest.mark.parametrize(("league", "minutes", "rate"), [("legged-2001", 4.0, 0.5), ("middle-size-2006", 2.0, 2.0)])
-def test_it_scores_against_a_team_that_stands_still(league: str, minutes: float, rate: float) -> None:
-    assert score(league, "chaser", "still", 20, minutes)[:, 0].mean() / minutes >= rate
-
-
-def test_its_middle_size_keeper_saves_shots() -> None:
-    saved = drill("middle-size-2006", "shot-at-keeper", "still", "chaser", 300)
-    hit_by_chance = drill("middle-size-2006", "shot-at-keeper", "still", "still", 300)
-    assert saved >= 0.30 and saved > hit_by_chance + 0.20
-
-
 @pytest.mark.parametrize(("league", "minutes"), [("legged-2001", 5.0), ("middle-size-2006", 2.0)])
 def test_it_beats_random_players_and_without_strength_loses_to_itself(league: str, minutes: float) -> None:
     assert points(score(league, "chaser", "random", 20, minutes)) >= 0.95
     placement = find_league(league).evaluation_placement
     assert points(score(league, "chaser@0", "chaser", 60, minutes, 1, placement)) < 0.42
-
-
-@pytest.mark.slow
-@pytest.mark.whole
-@pytest.mark.parametrize(("league", "minutes"), [("legged-2001", 10.0), ("middle-size-2006", 4.0)])
-def test_every_step_of_strength_wins_points(league: str, minutes: float) -> None:
-    """100 matches each against strength 1, which against itself has half of the points by symmetry.
-
-    The table of baselines/README.md has all steps with 200 matches each;
-    tests/train/pages/tables/test_tables.py asks it for a ladder.
-    """
-    placement = find_league(league).evaluation_placement  # as `soccer evaluate` and the table play
-    ladder = [points(score(league, f"chaser@{s}", "chaser", 100, minutes, 1, placement)) for s in (0, 0.5)]
-    assert all(lower < higher for lower, higher in zip(ladder, [*ladder[1:], 0.5], strict=True)), ladder

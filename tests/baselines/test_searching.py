@@ -175,15 +175,3 @@ def test_who_is_quite_lost_looks_up_and_a_ball_farther_away_is_kept_below_the_mi
     middle = share_of_tilt(NUMBERS["raised"][0] - below, k["head_tilt_low"], k["head_tilt_high"])
     assert told[0, 2] == pytest.approx(middle)
     assert NUMBERS["raised"][0] < 0.5 * find_league(LEGGED).sensors.view_height
-
-
-def test_a_sweep_is_mirrored_by_the_side_of_the_ball_and_a_camera_that_sees_all_round_is_left_alone() -> None:
-    one, other = (tilts(0.0, ROOM + 0.05, bearing=side * 0.2) for side in (1.0, -1.0))
-    assert (one[:, 1] == -other[:, 1]).all() and (one[:, 2] == other[:, 2]).all()
-    assert np.ptp(one[:, 1]) > 0.5
-    k = constants_of(find_league(MIDDLE))[0]
-    belief, memory, command = (np.zeros(1, dtype) for dtype in (BELIEF, MEMORY, COMMAND))
-    belief["situation"]["active"], belief["ball"]["distance"] = 1, 1.0
-    command["head"] = -1.0
-    look_up(belief[0], command[0], memory[0], k, team().settings[int(k["drive_kind"])])
-    assert command["head"][0] == -1.0 and memory["glance"][0] == 0.0

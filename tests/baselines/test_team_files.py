@@ -48,21 +48,6 @@ def test_a_policy_plays_by_the_name_of_its_file(tmp_path: Path, evaluate: Any) -
     assert json.loads((tmp_path / "out" / "result.json").read_text())["home"] == file
 
 
-@pytest.mark.parametrize("name", ["a b.safetensors", "user@host.safetensors", "12:30.safetensors", "ü.safetensors"])
-def test_a_path_may_be_written_as_files_are(tmp_path: Path, name: str) -> None:
-    file = written(tmp_path / name, policy())
-    assert make_team(file).name == "tiny"
-
-
-def test_a_policy_has_no_strength(tmp_path: Path, evaluate: Any) -> None:
-    file = written(tmp_path / "tiny.safetensors", policy())
-    assert f"a policy has no strength, got 0.5 for '{file}'" in evaluate(f"{file}@0.5", code=2)
-    with pytest.raises(ValueError, match="a policy has no strength"):
-        make_team(file, strength=0.5)
-    assert make_team(f"{file}@1").name == "tiny"
-    assert not (tmp_path / "out").exists()
-
-
 @pytest.mark.parametrize("name", ["none.safetensors", "none.zip", "broken.safetensors", "broken.zip"])
 def test_a_missing_file_or_one_that_is_no_policy_is_said(tmp_path, name, evaluate) -> None:
     if name.startswith("broken"):

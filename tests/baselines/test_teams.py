@@ -10,7 +10,7 @@ from soccer_env import Match, make_team
 from soccer_env.compiled import compiled
 from soccer_env.leagues import LEAGUES as ALL_LEAGUES
 from soccer_env.teams import ENTRY_POINTS, CompiledTeam, TeamRandom, View, parse_team, registered_teams, registry
-from soccer_env.teams.kernels import NO_MEMORY, STRENGTH, per_blind_player, per_player
+from soccer_env.teams.kernels import STRENGTH, per_blind_player, per_player
 from soccer_env.types import COMMAND
 from tests.scenes.staging import LEAGUES, LEGGED, MIDDLE, place, play, scatter, set_phase, stage
 from tests.scenes.symmetry import mirror, turn
@@ -63,7 +63,7 @@ def test_without_strength_a_player_is_slower_and_decides_less_often(team: str, l
     *((LEGGED, f"sacks-2001{kind}", senses) for kind in ("", "-tuned", "-future") for senses in ("ideal", "sensors")),
     *((league, team, "sensors") for league in (MIDDLE, BASES[2]) for team in ("heinemann-2006", "weigel-2001")),
 ])  # fmt: skip
-@pytest.mark.parametrize(("home", "away"), [(1, 1), (2, 1), (1, 5), (11, 11)])
+@pytest.mark.parametrize(("home", "away"), [(1, 2), (11, 11)])
 def test_every_team_plays_at_every_size(league: str, team: str, senses: str, home: int, away: int) -> None:
     match = Match(league, home=home, away=away, seed=1, controllers={"home": team, "away": team}, senses=senses)
     start = match.robots["x"].copy()
@@ -199,14 +199,6 @@ def test_an_entry_point_that_is_no_factory_of_a_team_is_refused(name: str, messa
         make_team(name)
 
 
-def test_a_team_object_is_no_factory_and_a_team_without_a_name_is_no_team() -> None:
-    nameless: Any = type("Nameless", (), {"memory_dtype": np.dtype([]), "act": Lions.act})()
-    with pytest.raises(ValueError, match="team 'x' must be a function that takes strength=, a:b is 'text'"):
-        registry.check_factory("x", "a:b", "text")
-    with pytest.raises(ValueError, match="a team needs name, memory_dtype and act"):
-        make_team(nameless)
-
-
 def test_a_team_for_other_leagues_is_refused() -> None:
     still = make_team("still")
     assert isinstance(still, CompiledTeam)
@@ -241,16 +233,6 @@ def counters(*strengths: float) -> CompiledTeam:
     return CompiledTeam("counters", COUNTER, COUNT, np.array([(one,) for one in strengths], STRENGTH))
 
 
-def test_every_player_decides_once_a_step_from_its_own_belief() -> None:
-    match = Match(home=3, away=2, matches=2, seed=1, controllers={"home": counters(0.5), "away": "still"})
-    play(match, steps=4)
-    assert match.squads[0].memory["decisions"].tolist() == [[4, 4, 4]] * 2
-    command = match.robots["command"][:, :3]
-    assert (command["turn"] * 100).round().tolist() == [[0, 1, 2]] * 2, "each has its own number"
-    assert (command["left"] * 100).round().tolist() == [[1, 2, 3], [4, 5, 6]], "and all the same record to work in"
-    assert (match.robots["command"]["turn"][:, 3:] == 0.0).all(), "others are left alone"
-
-
 @pytest.mark.parametrize(("league", "row"), list(zip(BASES, range(3), strict=True)))
 def test_a_team_has_settings_for_each_kind_of_base_or_for_all(league: str, row: int) -> None:
     for strengths, expected in (((0.1, 0.2, 0.3), (0.1, 0.2, 0.3)[row]), ((0.4,), 0.4)):
@@ -258,10 +240,3 @@ def test_a_team_has_settings_for_each_kind_of_base_or_for_all(league: str, row: 
         match = Match(league, home=1, away=1, seed=1, controllers=teams, senses="ideal")
         match.step()
         assert match.robots["command"]["forward"][0, 0] == expected
-
-
-def test_a_blind_player_plays_without_beliefs() -> None:
-    team = CompiledTeam("walkers", WALKER, NO_MEMORY, np.array([(0.25,)], STRENGTH), blind=True)
-    match = Match(home=2, away=2, matches=3, seed=1, controllers={"home": team, "away": team})
-    match.step()
-    assert (match.robots["command"]["forward"] == 0.25).all()

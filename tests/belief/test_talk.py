@@ -112,19 +112,6 @@ def test_the_share_of_messages_that_is_lost_is_the_one_that_is_set(name: str, lo
         assert binomtest(int(6 * sent - arrived.sum()), 6 * sent, loss).pvalue > 1e-3
 
 
-@pytest.mark.parametrize(("period", "delay"), [(0.0, 0.0), (0.1, 1.0), (1.0, 0.0), (0.2, 0.2)])
-def test_any_period_and_delay_make_a_channel(period: float, delay: float) -> None:
-    talkers = Talkers(audio_period=period, audio_delay=delay)
-    talkers.see(1, 0.3)
-    wait = round(delay * RATE)
-    talkers.step(wait)
-    assert talkers.heard()[0] == (SILENT if wait else 0)
-    talkers.step()
-    assert talkers.heard()[0] == word_for_distance(0.3)
-    talkers.step(200)
-    assert talkers.heard()[0] == word_for_distance(0.3)
-
-
 def test_only_the_rows_that_use_their_sensors_talk_and_swapping_the_teams_swaps_what_is_heard() -> None:
     talkers = Talkers()
     talkers.rows = np.array([0, 2])

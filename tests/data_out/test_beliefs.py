@@ -9,12 +9,10 @@ import numpy as np
 import pytest
 
 from soccer_env import Match, errors_of
-from soccer_env.data_out.belief_errors import BeliefErrors
 from soccer_env.data_out.collect import collect_match
 from soccer_env.data_out.table_files import write_tables
 from soccer_env.data_out.tables import BELIEFS, match_tables
 from soccer_env.replay import Recorder, Thoughts
-from soccer_env.train.evaluate.belief_pictures import curve_of
 
 
 def ideal(league: str = "legged-2001", steps: int = 40) -> Match:
@@ -24,19 +22,6 @@ def ideal(league: str = "legged-2001", steps: int = 40) -> Match:
     for _ in range(steps):
         match.step()
     return match
-
-
-@pytest.mark.parametrize("league", ["legged-2001", "middle-size-2006"])
-def test_ideal_senses_are_not_wrong(league: str) -> None:
-    match = ideal(league)
-    errors = errors_of(match)
-    assert np.nanmax(errors.error) < 1e-9 and np.abs(errors.heading).max() < 1e-9
-    away = match.robots["team"] == 1
-    true = np.stack([match.robots["x"], match.robots["y"]], axis=-1)
-    assert errors.true[away][:, 0] == pytest.approx(-true[away]), "the team frame has the own goal behind"
-    apart = np.hypot(match.balls["x"][:, None] - true[..., 0], match.balls["y"][:, None] - true[..., 1])
-    assert errors.range[..., 1] == pytest.approx(apart)
-    assert (~np.isnan(errors.error[..., 2:])).sum(axis=-1).tolist() == [[3] * 4] * 2, "a team-mate and two opponents"
 
 
 def test_an_error_is_as_large_as_the_belief_is_wrong(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -102,18 +87,6 @@ def test_a_replay_without_notes_says_how_to_keep_them() -> None:
     match.step()
     with pytest.raises(ValueError, match="thoughts=Thoughts"):
         collect_match(recorder.stop(), beliefs=True)
-
-
-def test_curves_are_the_medians_of_bins() -> None:
-    distance = np.linspace(1.0, 13.0, 1201)
-    true = np.stack([np.stack([np.zeros((1201, 2)), np.stack([distance, 0.0 * distance], axis=-1)], axis=1)])
-    believed = true + np.stack([0.0 * distance, 0.1 * distance], axis=-1)[None, :, None]
-    zeros = np.zeros((1, 1201, 2))
-    errors = BeliefErrors(believed, true, zeros[..., 0], zeros, zeros, zeros == 1.0)
-    curve = curve_of("ball", [errors], "range")
-    assert curve["x"] == pytest.approx((np.arange(12) + 1.5).tolist(), abs=0.02)
-    assert curve["y"] == pytest.approx([0.1 * x for x in curve["x"]])
-    assert all(low < middle < high for low, middle, high in zip(curve["low"], curve["y"], curve["high"], strict=True))
 
 
 @pytest.mark.parametrize("name", ["x.csv", "x.png", "x.svg"])

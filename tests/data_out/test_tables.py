@@ -1,6 +1,5 @@
 """Tables hold what the match was, in every format, and every format tells what the records are, in its units."""
 
-import csv
 import json
 import os
 from pathlib import Path
@@ -49,11 +48,6 @@ def test_events_are_those_that_are_counted(replay: Any, found: Any) -> None:
     assert set(table["end_frame"][shot_goals].tolist()) <= set(table["frame"][goals].tolist())
 
 
-def read_csv(path: Path) -> list[dict[str, str]]:
-    with path.open(encoding="utf-8", newline="") as file:
-        return [*csv.DictReader(file)]
-
-
 def test_parquet_holds_the_table_with_units(found: Any, tmp_path: Path) -> None:
     parquet = pytest.importorskip("pyarrow.parquet")
     paths = write_tables([match_tables(found)] * 2, tmp_path / "x.parquet")
@@ -83,14 +77,6 @@ def test_a_match_that_fails_leaves_what_was_there(found: Any, tmp_path: Path) ->
 def test_no_cell_of_a_csv_is_a_formula(text: str) -> None:
     assert escape_formula(text) == f"'{text}"
     assert escape_formula("match-1") == "match-1"
-
-
-def test_a_folder_gives_one_table_with_the_names_of_its_matches(folder: Path, tmp_path: Path, soccer: Any) -> None:
-    out = tmp_path / "all.csv"
-    soccer("export", folder, "--out", out)
-    assert list(dict.fromkeys(row["match"] for row in read_csv(out))) == ["deep/two", "one"]
-    soccer("export", folder, "--out", tmp_path / "each.xml")
-    assert sorted(path.name for path in tmp_path.glob("*.xml")) == ["each_deep_two.xml", "each_one.xml"]
 
 
 @pytest.mark.parametrize("name", ["x.csv", "x.xml", "x.cdf"])

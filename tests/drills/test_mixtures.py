@@ -11,7 +11,6 @@ from soccer_env import Match, OwnTerm, Rewards, Scene, soccer_v0
 from soccer_env.replay import Recorder
 from soccer_env.scenes import SCENES, Mixture, mixture
 from soccer_env.types import Phase
-from tests.scenes.staging import record_each_step
 
 TEXT = "kick-off:3,scattered:1"
 
@@ -128,38 +127,6 @@ def at_start(league: Any, ball: Any, robots: Any, draw: Any) -> None:
 START = -0.5
 WALK = Scene("walk", "walk ahead", place=at_start, success=walked, time_limit=3.0, in_play=True)
 SETTINGS: dict[str, Any] = {"scene": WALK, "episode": "drill", "home": 1, "away": 1, "opponents": "still", "seed": 1}
-
-
-def walked_drill(forward: list[float], **changes: Any) -> tuple[Match, list[list[int]]]:
-    """Return matches in which home walks so fast, and after each step how each stands: 1 or -1 ended, 2 out of time."""
-    match = Match(**{**SETTINGS, "matches": len(forward), **changes})
-    actions = np.zeros((len(forward), 2, 4))
-    actions[:, 0, 0] = forward
-
-    def stands() -> np.ndarray:
-        return np.where(match.truncated, 2, match.events["drill"] * match.terminated)
-
-    return match, record_each_step(match, stands, 0.0, actions, 60).tolist()
-
-
-def test_it_ends_successes_failures_and_what_runs_out_of_time() -> None:
-    match, history = walked_drill([1.0, -1.0, 0.0])
-    for m, wanted in enumerate((1, -1, 2)):
-        first = next(step for step, row in enumerate(history) if row[m])
-        assert history[first][m] == wanted
-        assert first == 47 if wanted == 2 else 5 < first < 40
-    assert match.matches["over"].tolist() == [1, 1, 0]
-    assert abs(match.robots["x"][0, 0] - START) == pytest.approx(0.05, abs=0.01)
-
-
-def test_a_match_alone_ends_as_among_many_and_begins_anew() -> None:
-    many = Match(**SETTINGS, matches=5, autoreset="same_step")
-    one = Match(**{**SETTINGS, "seed": None}, seeds=[many.seeds[3]], autoreset="same_step")
-    for _ in range(100):
-        many.step(np.ones((5, 2, 4)))
-        one.step(np.ones((1, 2, 4)))
-    assert one.state_hash(0) == many.state_hash(3)
-    assert many.matches["episode"].min() >= 2
 
 
 def test_shaping_ends_with_potential_0() -> None:

@@ -6,11 +6,11 @@ import pytest
 from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.scenes import SCENES
-from soccer_env.scenes.drills_alone import AT_BOARD, DRILLS_ALONE, IN_CORNER
+from soccer_env.scenes.drills_alone import AT_BOARD, IN_CORNER
 from soccer_env.scenes.drills_legged import DRILLS_LEGGED, GAP, KEEPER_OUT
 from soccer_env.scenes.judging import PAST
 from soccer_env.types import HOME, Phase
-from tests.scenes.staging import LEGGED, MIDDLE, each_league, play, robot_actions
+from tests.scenes.staging import LEGGED, MIDDLE, each_league, play
 
 MATCHES = 60
 DRIBBLES = [scene.name for scene in DRILLS_LEGGED if scene.success == "home gets past"]
@@ -63,15 +63,6 @@ def test_facing_wall_a_paw_touches_the_foot_of_the_board_and_the_ball_is_behind(
     assert (np.abs(ball_from(match)[1]) > np.pi / 2).all() and (side * sine > 0.9).all()
 
 
-def test_facing_wall_a_robot_that_walks_on_gets_nowhere() -> None:
-    match = drill("facing-wall")
-    start = match.robots[:, 0].copy()
-    play(match, actions=robot_actions(match, forward=1.0), steps=16 * 3)
-    outwards = np.sign(start["y"]) * (match.robots["y"][:, 0] - start["y"])
-    turned = np.abs(np.sin(match.robots["heading"][:, 0] - start["heading"])) * match.league.body.tip_x
-    assert (outwards < 0.01 + turned).all()
-
-
 def test_ball_behind_robot_lies_ahead_of_both_and_in_a_head_on_push_between_their_paws() -> None:
     match = drill("ball-behind-robot")
     far, bearing = ball_from(match)
@@ -96,16 +87,6 @@ def test_a_dribbler_begins_with_the_ball_3_mm_from_its_chest_and_the_others_betw
     away, bearing = ball_from(match)
     gap = away * np.cos(bearing) - match.league.body.front - match.league.ball.radius
     assert gap == pytest.approx(0.003, abs=1e-9)
-
-
-@pytest.mark.parametrize("scene", ["dribble-past-one", "dribble-past-two", "dribble-past-three"])
-def test_still_players_stand_on_the_way_one_behind_another(scene: str) -> None:
-    match = drill(scene)
-    places = [off_the_way(match, r) for r in range(1, match.robots.shape[1])]
-    for along, aside in places:
-        assert (along > 0.5).all() and (np.abs(aside) < 0.25).all()
-    for (near, _), (far, _) in zip(places, places[1:], strict=False):
-        assert (far > near + 0.2).all()
 
 
 @pytest.mark.parametrize(("scene", "near", "far", "aside", "meets"), [
@@ -178,14 +159,6 @@ def test_ball_at_board_lies_within_reach_of_it_and_ball_in_corner_within_25_cm_o
         assert (gap > -1e-9).all() and (gap < IN_CORNER).all()
     assert (np.hypot(aside, ahead) < 0.25).all() and {-1.0, 1.0} == set(np.sign(ball["y"]))
     assert (np.abs(ball_from(match)[1]) < 0.31).all() and (ball_from(match)[0] < 0.81).all()
-
-
-@pytest.mark.parametrize("scene", [scene.name for scene in DRILLS_ALONE])
-def test_alone_is_alone(scene: str) -> None:
-    match = Match(LEGGED, home=3, away=3, matches=MATCHES, scene=scene, seed=7, episode="drill")
-    others = match.robots[:, [0, 1, 3, 4, 5]]
-    assert (np.hypot(others["x"] - match.balls["x"][:, None], others["y"] - match.balls["y"][:, None]) > 0.25).all()
-    assert (others["x"] < -0.8).all() and SCENES[scene].rules.startswith("simple:dropped_ball=False")
 
 
 @each_league

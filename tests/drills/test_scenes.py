@@ -8,8 +8,7 @@ import pytest
 from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.scenes import SCENES
-from soccer_env.train.evaluate.drills import drills_of, run_drill
-from soccer_env.train.pages.tables.drills import TEAMS
+from soccer_env.train.evaluate.drills import run_drill
 from soccer_env.types import AWAY, HOME, MAX_TEAM
 from tests.scenes.leagues import LEAGUES, MIDDLE, each_league
 from tests.scenes.staging import deepest_overlaps, place, play, record_each_step, send_off, stand, steps_in
@@ -112,16 +111,6 @@ def test_shots_are_kicked_at_the_post_that_they_name(scene: str, far: bool) -> N
     assert goals.any()
 
 
-def test_a_ball_that_rolls_passes_the_receiver_within_a_metre() -> None:
-    match = begun("receive-pass", 2, 1)
-    ball, robot = match.balls, match.robots[:, 1]
-    speed = np.hypot(ball["vx"], ball["vy"])
-    x, y = robot["x"] - ball["x"], robot["y"] - ball["y"]
-    across = np.abs(x * ball["vy"] - y * ball["vx"]) / speed
-    assert (across < 1.0).all() and (x * ball["vx"] + y * ball["vy"] > 0.0).all()
-    assert (speed >= 1.0).all() and (speed <= 3.0).all()
-
-
 def test_mh24_in_the_challenge_the_straight_way_meets_the_obstacles() -> None:
     match = begun("challenge-2003", 1, 4)
     robots, ball = match.robots, match.balls
@@ -149,10 +138,9 @@ def test_attacks_outnumber_the_defence_before_them(scene: str, home: int, away: 
 RUNS = 60
 FLOORS: dict[str, dict[str, float]] = {  # [1] of the runs of a drill of the legged league
     "chaser": {
-        "facing-wall": 0.9, "lost-ball-behind": 0.7, "ball-at-board": 0.45, "ball-in-corner": 0.45, "empty-goal": 0.8,
-        "ball-behind-robot": 0.25,
+        "facing-wall": 0.9, "lost-ball-behind": 0.7, "ball-in-corner": 0.45, "empty-goal": 0.8,
     },
-    "sacks-2001": {"facing-wall": 0.85, "lost-ball-behind": 0.6, "empty-goal": 0.6, "ball-behind-robot": 0.02},
+    "sacks-2001": {"lost-ball-behind": 0.6, "empty-goal": 0.6},
 }  # fmt: skip
 CASES = [(team, drill, floor) for team, floors in FLOORS.items() for drill, floor in floors.items()]
 
@@ -160,11 +148,3 @@ CASES = [(team, drill, floor) for team, floors in FLOORS.items() for drill, floo
 @pytest.mark.parametrize(("team", "drill", "floor"), CASES)
 def test_a_team_does_not_fall_below_its_floor(team: str, drill: str, floor: float) -> None:
     assert run_drill("legged-2001", SCENES[drill], team, RUNS, starts="all") >= floor * RUNS
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("league", TEAMS)
-def test_every_team_plays_every_drill_to_its_end(league: str) -> None:
-    for scene in drills_of(league):
-        for team in TEAMS[league]:
-            assert 0 <= run_drill(league, scene, team, 2) <= 2

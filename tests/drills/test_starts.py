@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 
 from soccer_env import Match, Scene, soccer_v0
-from soccer_env.replay import Recorder, Replay
 from soccer_env.scenes.scene import HELD_OUT, SCENE
 from soccer_env.train.evaluate import EvaluateSettings, evaluate, evaluate_drills
 from soccer_env.train.evaluate.drills import run_drill
@@ -70,22 +69,6 @@ def test_starts_follow_from_the_seed_alone_and_a_saved_match_keeps_them(starts: 
     assert one.balls[0] == many.balls[7] and (other.balls == many.balls).all()
     with pytest.raises(ValueError, match=f"starts '{starts}' there, '(all|training)' here"):
         begun("training" if starts == "all" else "all", matches=12).load(saved)
-
-
-def test_a_replay_plays_a_held_out_start_again(tmp_path: Path) -> None:
-    match = begun("held-out", "contested-ball", 1, episode="drill", controllers={"home": "chaser", "away": "chaser"})
-    recorder = Recorder(match)
-    while not (match.terminated | match.truncated).all():
-        match.step()
-    path = recorder.stop().write(tmp_path / "drill.replay")
-    assert Replay.read(path).check() == match.matches["step"][0]
-
-
-@pytest.mark.parametrize("scene", ["kick-off", "scattered"])
-def test_a_scene_without_a_success_test_holds_nothing_out(scene: str) -> None:
-    assert (begun("training", scene).balls == begun("held-out", scene).balls).all()
-    mixed = [begun(starts, f"{scene}:1,empty-goal:1").balls["x"] for starts in ("all", "held-out")]
-    assert 0.35 < (mixed[0] == mixed[1]).mean() < 0.75, "of the drill alone"
 
 
 def test_unknown_starts_are_refused() -> None:

@@ -70,12 +70,6 @@ def forward(**who: Any) -> list[float]:
 
 
 @pytest.mark.usefixtures("mine")
-def test_a_team_of_a_module_plays() -> None:
-    assert forward(home="my_own:team", away="my_own:factory@0.5") == [1.0, 0.5]
-    assert forward(home="my_own:factory", away=make_team("my_own:factory", strength=0.5, brave=True)) == [1.0, 0.25]
-
-
-@pytest.mark.usefixtures("mine")
 def test_leagues_rewards_and_scenes_of_a_module_are_found() -> None:
     match = Match("my_own:ICY", home=1, away=1, rewards="my_own:PAID", scene="my_own:CENTRE", seed=1)
     assert (match.league.name, match.settings.scene.name) == ("icy", "centre")

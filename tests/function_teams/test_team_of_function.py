@@ -9,9 +9,7 @@ import pytest
 
 from soccer_env import Match, soccer_v0, team_of_function
 from soccer_env.agents.learned import team_from_policy
-from soccer_env.random_numbers import seeds_for
 from soccer_env.replay import Recorder
-from soccer_env.teams import ObservingTeam
 from tests.agents.staged_policies import random_policy
 from tests.scenes.staging import play, record_each_step
 
@@ -161,18 +159,6 @@ def test_a_match_with_it_pickles_copies_and_is_replayed() -> None:
     assert recorder.stop().check() == 10
 
 
-def test_a_match_alone_is_that_among_many_on_threads() -> None:
-    team = team_of_function(by_numbers(random_policy(8)), action_repeat=3)
-    who = {"home": team, "away": "chaser"}
-    many = Match(home=1, away=1, matches=70, threads=2, controllers=who, seeds=seeds_for(1, 70), autoreset="same_step")
-    one = Match(home=1, away=1, controllers=who, seeds=[many.seeds[66]], autoreset="same_step")
-    for _ in range(30):
-        many.step()
-        one.step()
-    assert one.state_hash(0) == many.state_hash(66)
-    many.close()
-
-
 def test_an_observation_of_ones_own_is_what_the_function_gets() -> None:
     class Ball:
         names = ("x", "y")
@@ -194,10 +180,3 @@ def test_envs_take_it_as_opponent_and_it_is_no_agent() -> None:
     assert env.agents == ["home_0"]
     env.step({"home_0": np.zeros(4)})
     assert (env.unwrapped.match.robots["command"]["forward"][0, 1:] == 1.0).all()
-
-
-def test_outside_a_match_it_says_so() -> None:
-    team = team_of_function(ahead)
-    with pytest.raises(ValueError, match="team 'ahead' plays inside a match only"):
-        team.act(None, np.zeros((1, 1), team.memory_dtype), None)  # type: ignore[arg-type]
-    assert not isinstance(team, ObservingTeam)

@@ -27,10 +27,10 @@ def test_what_a_timer_interrupts_is_done_or_not_done(name: str) -> None:
     assert by_timers(name, TRIALS, seed=1)["torn"] == 0
 
 
-LINES = ("same_step", "recorder", "save, load, branch, rebuild", "parallel env")
+LINES = ("same_step", "save, load, branch, rebuild", "parallel env")
 
 
-@pytest.mark.parametrize("name", dear(LINES, ("recorder", "save, load, branch, rebuild")))
+@pytest.mark.parametrize("name", dear(LINES, ("save, load, branch, rebuild",)))
 def test_what_a_signal_at_any_line_interrupts_is_done_or_not_done(name: str) -> None:
     lines: set[object] = set()
     known = [-1]

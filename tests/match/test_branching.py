@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
-from soccer_env.match.saving.fitting import describe_differences
 from soccer_env.replay import Recorder
 from tests.scenes.staging import LEAGUES, refused
 
@@ -65,23 +64,6 @@ def test_the_other_matches_are_left_alone() -> None:
     assert [planner.state_hash(m) for m in others] == [left[m] for m in others]
     assert np.array_equal(planner.batch.physics.bodies[others], bodies[others])
     assert np.array_equal(planner.rewards[others], rewards[others]) and not planner.rewards[[1, 4]].any()
-
-
-def test_matches_of_one_match_branch_into_each_other() -> None:
-    match = played()
-    first, last = match.state_hash(0), match.state_hash(2)
-    match.branch([0, 2], match, at=[2, 0])
-    assert (match.state_hash(0), match.state_hash(2)) == (last, first)
-
-
-def test_a_planner_may_see_and_be_paid_otherwise() -> None:
-    match = played(observe="truth")
-    planner = Match(
-        home=2, away=2, matches=2, controllers={"away": "sacks-2001"}, senses="sensors", observe="truth",
-        rewards="sparse", actions="full", threads=2,
-    )  # fmt: skip
-    match.branch(0, planner)
-    assert match.state_hash(0) == planner.state_hash(1)
 
 
 def test_branches_that_draw_anew_part_and_do_so_from_the_seed_alone() -> None:
@@ -189,11 +171,3 @@ def test_a_save_or_match_that_does_not_fit_names_the_settings_that_differ(settin
         match.load(other.save())
     with refused(other, f"into does not fit this match: .*{message}"):
         match.branch(0, other)
-
-
-def test_what_changes_no_future_is_not_named() -> None:
-    """A save of other actions, rewards or observations is taken, if nothing more has to be sensed for these."""
-    match = played(steps=5)
-    match.load(played(steps=5, rewards="sparse", actions="full", action_repeat=3).save())
-    for said in ({"home": 7}, None):  # a save may say anything
-        assert describe_differences(said, match.described_settings) == ""

@@ -122,23 +122,6 @@ def learned_too() -> Lineup:
     return Lineup((chaser, *policies), np.ones(3), ("chaser", "quick", "slow"))
 
 
-def test_nothing_is_observed_for_a_policy_that_does_not_play() -> None:
-    match = pitch(learned_too(), matches=12)
-    playing = np.array(who_plays(match))
-    match.step()
-    for squad in match.squads[2:]:
-        assert (squad.observations.any(axis=(1, 2)) == (playing == squad.name)).all()
-
-
-def test_a_memory_begins_empty_with_each_episode() -> None:
-    match = pitch(learned_too(), matches=8)
-    for _ in range(8):
-        assert not match.ended.any()
-        match.step()
-    for squad in match.squads:
-        assert not np.frombuffer(squad.memory.tobytes(), np.uint8).any()
-
-
 def test_a_save_keeps_who_plays() -> None:
     match, other = pitch(learned_too(), matches=8), pitch(learned_too(), matches=8, seed=6)
     play(match, steps=21)
@@ -156,13 +139,6 @@ def test_a_save_of_another_lineup_is_refused() -> None:
     for other in (lineup(names=("still", "chaser", "random@0.5")), lineup(names=("still", "chaser")), "chaser"):
         with pytest.raises(ValueError, match="teams differ"):
             pitch(other).load(saved)
-
-
-def test_names_and_objects_are_teams_with_even_weights() -> None:
-    chooser = Lineup(["chaser@0.2", "still", Slow()])
-    assert chooser.names == ("chaser@0.2", "still", "slow")
-    assert chooser.weights.tolist() == [1.0, 1.0, 1.0]
-    assert repr(Lineup(["still", "chaser"], weights=[1, 3])) == "Lineup({'still': 1, 'chaser': 3})"
 
 
 @pytest.mark.parametrize("senses", ["ideal", "sensors"])
@@ -253,11 +229,9 @@ WEIGHTS = "weights of a Lineup must be 2 numbers from 0, not all 0"
 BAD: list[tuple[tuple[Any, ...], str]] = [
     (((), np.ones(0), ()), "a Lineup needs a list of one team at least, got ()"),
     (("chaser",), "a Lineup needs a list of one team at least, got 'chaser'"),
-    ((["chasr"],), "unknown team 'chasr', did you mean 'chaser'?"),
     ((["chaser", "chaser"],), "the 2 teams of a Lineup must have different names, got ('chaser', 'chaser')"),
     (([lineup()],), "a Lineup is made of teams, not of lineups"),
     (([3],), "a team needs name, memory_dtype and act, got 3"),
-    (((CHASER, CHASER), np.ones(2), ("a", "a")), "the 2 teams of a Lineup must have different names, got ('a', 'a')"),
     (((CHASER, CHASER), np.ones(2), ("a",)), "the 2 teams of a Lineup must have different names, got ('a',)"),
     *((((CHASER, CHASER), np.array(bad), ("a", "b")), WEIGHTS)
       for bad in ([1.0] * 3, [0.0, 0.0], [1.0, -0.1], [1.0, np.nan], [1.0, np.inf], ["1", "2"])),

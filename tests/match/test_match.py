@@ -93,15 +93,6 @@ def test_an_episode_of_one_goal_ends_at_the_goal() -> None:
     assert before == match.state_hash() or not match.events["goal"][0] >= 0
 
 
-def test_state_has_room_for_max_players_and_says_who_is_there() -> None:
-    match = Match("middle-size-2006", home=1, away=2, max_players=3, seed=1, matches=2)
-    state, names = match.state(), match.state_names
-    assert state.shape == (2, len(names)) and state.dtype == np.float32
-    present = [bool(state[0, names.index(f"{side}_{i}_present")]) for side in ("home", "away") for i in range(3)]
-    assert present == [True, False, False, True, True, False]
-    assert np.abs(state).max() <= 1.0
-
-
 def test_memory_stays_flat_over_thousands_of_resets() -> None:
     match = Match(home=1, away=1, seed=1)
     for _ in range(200):
@@ -156,17 +147,3 @@ def test_every_attribute_in_the_table_is_there_in_its_shape(match: Match) -> Non
     assert match.observations.shape == (3, 4, len(match.observation_names))
     assert match.terms.shape == (3, 4, len(match.term_names))
     assert len(match.agents) == 4 and match.settings.rewards.gamma == 0.99
-
-
-def test_a_run_that_saves_is_a_run_of_its_own_and_one_that_saves_at_the_same_steps_the_same() -> None:
-    def played(saves_at: tuple[int, ...]) -> str:
-        match = Match(home=2, away=2, seed=4, controllers={"home": "chaser", "away": "chaser"})
-        for step in range(700):
-            match.step()
-            if step in saves_at:
-                match.save()
-        return match.state_hash(0)
-
-    once = played((300, 400, 500, 600))
-    assert once == played((300, 400, 500, 600))
-    assert once != played(())

@@ -141,18 +141,6 @@ def test_a_scene_that_places_what_cannot_be_is_named(change: Any, complaint: str
         match.reset()
 
 
-def test_bodies_that_overlap_a_little_are_pushed_apart() -> None:
-    def close(league: Any, ball: Any, robots: Any, draw: Any) -> None:
-        """Put both robots trunk at trunk, legs in each other, and the ball into a goal."""
-        robots["heading"], robots["x"], robots["y"] = 0.0, 0.5, [0.0, 0.12]
-        ball["x"] = 0.5 * league.pitch.length + 0.2
-
-    match = Match(home=1, away=1, scene=Scene("mine", "a throng", place=close), seed=1)
-    play(match, steps=25)
-    x, y = (float(np.diff(match.robots[name][0])[0]) for name in ("x", "y"))
-    assert np.hypot(x, y) > 0.12
-
-
 def test_a_league_of_ones_own_is_checked_and_played() -> None:
     legged = find_league("legged-2001")
     fast = replace(legged, name="fast", drive=replace(legged.drive, forward=0.3, slip=0.0))

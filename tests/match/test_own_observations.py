@@ -104,16 +104,11 @@ def test_a_team_whose_learners_see_percepts_senses_alone_and_the_other_may_be_le
     ("returned", "message"),
     [
         (np.zeros((2, 3, 2)), "of shape (2, 3, 3), got shape (2, 3, 2); by match and by home_0"),
-        (np.zeros((2, 2, 3)), "of shape (2, 3, 3), got shape (2, 2, 3)"),
-        (np.zeros((2, 1, 3)), "of shape (2, 3, 3), got shape (2, 1, 3)"),
         (np.full((2, 3, 3), np.nan), "in [-10, 10], got nan at (0, 0, 0): home_0 of match 0"),
         (-np.ones((2, 3, 3)), "in [0, inf], got -1.0 at (0, 0, 2): home_0 of match 0"),
         (11.0, "in [-10, 10], got 11.0 at (0, 0, 0)"),
-        (np.inf, "got inf at (0, 0, 0)"),
         ("text", "of shape (2, 3, 3), got 'text'"),
-        ([[1.0], [1.0, 2.0]], "of shape (2, 3, 3), got [[1.0], [1.0, 2.0]]"),
         (None, "of shape (2, 3, 3), got None"),
-        ({"x": 1}, "of shape (2, 3, 3), got {'x': 1}"),
     ],
 )
 def test_nonsense_is_named_and_leaves_the_match_as_it_was(returned: Any, message: str) -> None:

@@ -138,16 +138,6 @@ class Forgetful:
         return view.stand()
 
 
-def test_a_team_without_memory_can_be_saved() -> None:
-    match = Match(home=1, away=1, seed=1, controllers={"home": Forgetful(), "away": "still"})
-    saved = match.save()
-    match.step()
-    after = match.state_hash()
-    match.load(saved)
-    match.step()
-    assert match.state_hash() == after
-
-
 @pytest.mark.parametrize(
     ("records", "field", "value"),
     [

@@ -10,7 +10,7 @@ from soccer_env.actions import ActionKind
 from soccer_env.replay import Recorder, Replay
 from soccer_env.skills.choices import SKILLS
 from soccer_env.types import Phase
-from tests.scenes.staging import LEAGUES, LEGGED, MIDDLE, place, put_ball, refused, send_off, set_phase, stage, steps_in
+from tests.scenes.staging import LEAGUES, LEGGED, MIDDLE, place, put_ball, refused, stage, steps_in
 
 NAMES = list(SKILLS)
 LONG = {LEGGED: 30.0, MIDDLE: 8.0}  # [s] in which a skill is done
@@ -109,25 +109,6 @@ def test_a_ball_near_the_own_goal_is_cleared(league: str) -> None:
     assert play_until(match, choose(match, home_1="clear"), lambda: match.balls["x"][0] > x + 0.25 * half)
 
 
-@pytest.mark.parametrize("name", [name for name in NAMES if name.startswith("go ")])
-@pytest.mark.parametrize("league", LEAGUES)
-def test_a_robot_goes_to_the_part_of_the_pitch_that_it_chooses(league: str, name: str) -> None:
-    """Both teams at once: away sees the pitch from the other side."""
-    match = scene(league)
-    pitch, (_, x, y) = match.league.pitch, SKILLS[name]
-    near_x, near_y = 0.5 * x * pitch.length, 0.5 * y * pitch.width
-    start = match.league.body.reach
-    put_ball(match, 0.0, 0.45 * pitch.width)
-    place(match, robots={0: (near_x - 3 * start, near_y, 0.0), 1: (-near_x + 3 * start, -near_y, 0.0)})
-    robots = match.robots[0]
-
-    def there() -> bool:
-        away = np.hypot(robots["x"] - [near_x, -near_x], robots["y"] - [near_y, -near_y])
-        return bool((away[: 1 if x == y == 0 else 2] < 1.5 * start).all())  # in the middle they meet
-
-    assert not there() and play_until(match, choose(match, home_0=name, away_0=name), there)
-
-
 @pytest.mark.parametrize("skill", ["block", "cover"])
 @pytest.mark.parametrize("league", LEAGUES)
 def test_a_defender_stands_between_the_ball_and_its_goal(league: str, skill: str) -> None:
@@ -166,18 +147,6 @@ def test_masks_say_what_applies(league: str) -> None:
     assert (kicks != set()) == match.league.kicker.keeper_kicks
     match.matches["phase"], match.matches["restart_team"] = int(Phase.KICK_OFF), 1
     assert applies(match, "home_1") == everywhere | {"block", "cover"}, "the opponents take a restart"
-
-
-def test_a_lost_ball_can_only_be_searched_for() -> None:
-    match = Match(LEGGED, home=1, away=1, seed=1, actions="skills", observe="truth", scene="scattered")
-    set_phase(match, Phase.PLAY)
-    send_off(match, [1])
-    place(match, ball=(-1.2, 0.0), robots={0: (1.0, 0.0, 0.0)})
-    assert match.batch.senses is not None, "the robot decides by its sensors, though the learner sees the truth"
-    for _ in range(steps_in(match, 3.0)):
-        match.step(choose(match, home_0="shoot"))
-    assert not {"shoot", "approach", "cover"} & applies(match, "home_0") and "search" in applies(match, "home_0")
-    assert abs(match.robots["command"]["turn"][0, 0]) > 0.5, "it turns round for it"
 
 
 @pytest.mark.parametrize("league", LEAGUES)

@@ -5,9 +5,8 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.baselines.sacks_2001.memory import DRIBBLE, SHOOT
-from soccer_env.leagues import find_league
 from soccer_env.match import staging
-from tests.scenes.staging import play, robot_actions
+from tests.scenes.staging import play
 
 
 def sacks(**settings: object) -> Match:
@@ -43,17 +42,6 @@ def test_sensors_read_the_settings_that_are_changed(missed: float) -> None:
     assert (match.beliefs["ball"]["confidence"][:, 0] > 0.0).all() == (missed == 0.0)
 
 
-@pytest.mark.parametrize(("traction", "walks"), [(None, True), (1e-6, False)])
-def test_bodies_read_the_constants_that_are_changed(traction: float | None, walks: bool) -> None:
-    match = Match("legged-2001", home=1, away=1, seed=4)
-    staging.put(match, 0, 0.0, 0.0)
-    staging.begin_scene(match)
-    if traction:
-        staging.constants_of(match)["drive_traction"] = staging.constants_of(match)["drive_thrust"] = traction
-    play(match, actions=robot_actions(match, forward=1.0), steps=32)
-    assert (abs(float(match.robots["x"][0, 0])) > 0.1) == walks
-
-
 def test_a_scene_begins_with_robots_that_know_where_they_are_or_not() -> None:
     known, lost = sacks(), sacks()
     for match, placed in ((known, True), (lost, False)):
@@ -61,26 +49,3 @@ def test_a_scene_begins_with_robots_that_know_where_they_are_or_not() -> None:
         staging.begin_scene(match, placed=placed)
     assert np.hypot(known.beliefs["own"]["x"][:, 0] - 0.4, known.beliefs["own"]["y"][:, 0] + 0.3).max() < 0.3
     assert (lost.beliefs["ball"]["confidence"] == 0.0).all()
-
-
-def pushed_by(pushers: int, mass: float | None = None) -> float:
-    """Return how far [m] a robot that stands is moved in four seconds by others that walk at it, one behind another."""
-    match = Match(staging.league_without_calls("legged-2001"), home=pushers, away=1, seed=2)
-    apart = 2.0 * (match.league.body.tip_x + match.league.body.tip_radius) + 0.002  # [m] between neighbours
-    for r in range(pushers):
-        staging.put(match, r, -apart * r, 0.0)
-    staging.put(match, pushers, apart, 0.0, np.pi)
-    staging.put_ball(match, 0.0, 0.8)
-    staging.begin_scene(match)
-    if mass:
-        staging.set_mass(match, (pushers,), mass, mass)
-    play(match, actions=robot_actions(match, range(pushers), forward=1.0), steps=64)
-    return abs(float(match.robots["x"][0, pushers]) - apart)
-
-
-def test_a_heavy_robot_stays_where_three_push_another_away() -> None:
-    """Who walks pushes with as much as one bears who stands: one moves it slowly, three faster."""
-    drive = find_league("legged-2001").drive
-    assert drive.thrust <= drive.traction < 3.0 * drive.thrust
-    assert 0.02 < pushed_by(1) < 0.1 < pushed_by(3)
-    assert pushed_by(3, mass=1e4) < 0.001

@@ -7,8 +7,7 @@ import numpy as np
 import pytest
 
 from soccer_env import Match, WholeTruth, soccer_v0
-from soccer_env.match import truth_state
-from tests.scenes.staging import LEAGUES, play
+from tests.scenes.staging import LEAGUES
 
 PLACES = ("x", "y", "vx", "vy", "roll_x", "roll_y")
 
@@ -136,31 +135,3 @@ def test_the_sizes_that_pymarl_asks_for(settings: dict[str, Any], expected: tupl
     assert (info["n_agents"], info["n_actions"], info["episode_limit"]) == expected
     assert info["state_shape"] == env.state().size
     assert info["obs_shape"] == env.observation_space(env.possible_agents[0]).shape[0]
-
-
-def test_no_episode_is_longer_than_its_limit() -> None:
-    match = Match(home=1, away=1, minutes=0.1, action_repeat=3, seed=1)
-    limit, steps = match.get_env_info()["episode_limit"], 0
-    while not match.terminated[0]:
-        match.step(np.zeros((1, 2, 4)))
-        steps += 1
-    assert steps == limit == 32
-
-
-def test_a_match_says_what_is_played() -> None:
-    match = Match(home=2, away=1, opponents="chaser", seed=1)
-    play(match, steps=8)
-    assert repr(match).startswith("<Match legged-2001: 2 learners v 1 chaser; first half, 0.5 s, ")
-    many = Match("middle-size-2006", matches=5, controllers={"home": "heinemann-2006", "away_0": "still"}, seed=1)
-    assert repr(many) == "<Match middle-size-2006, 5 matches: 5 heinemann-2006 v 1 still and 4 learners; 0 ended>"
-
-
-@pytest.mark.parametrize("league", LEAGUES)
-def test_a_half_turn_of_the_field_turns_round_what_the_entries_say(league: str) -> None:
-    match = in_motion(league)
-    match.matches["home_direction"] = [1.0, -1.0]
-    before = match.state()
-    turn_round(match)
-    signs = np.array([entry.half_turn for entry in truth_state.entries(3)], np.float32)
-    np.testing.assert_allclose(match.state(), before * signs, atol=1e-6)
-    assert np.count_nonzero(signs < 0.0) == 7 + 6 * 6 and before[:, signs < 0.0].any(axis=0).sum() == 7 + 6 * 5

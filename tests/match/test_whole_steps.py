@@ -89,23 +89,6 @@ def test_a_team_may_look_ahead_in_a_branch_of_the_match_that_asks_it() -> None:
     assert (ahead[0].matches["step"][0], match.matches["step"][0]) == (0, 1)
 
 
-def test_two_threads_that_take_turns_share_a_match() -> None:
-    match, alone = (Match(home=1, away=1, seed=1, opponents="chaser", teammates="chaser") for _ in range(2))
-    for _ in range(3):
-        assert in_a_thread(lambda: match.step(np.zeros((1, 2, 4)))) == []
-        match.step(np.zeros((1, 2, 4)))
-    for _ in range(6):
-        alone.step(np.zeros((1, 2, 4)))
-    assert match.state_hash() == alone.state_hash()
-
-
-def test_code_of_a_user_may_save_in_a_step() -> None:
-    saves = []
-    rewards = Rewards.only(extra={"saves": lambda match: len(saves.append(match.save()) or saves)})
-    Match(home=1, away=1, seed=1, rewards=rewards).step(np.zeros((1, 2, 4)))
-    assert len(saves) == 1
-
-
 class OwnError(ArithmeticError):
     """What the code here raises when told to."""
 

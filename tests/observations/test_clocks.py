@@ -1,12 +1,9 @@
 """The clocks in beliefs and states run with the referee's, on their scales."""
 
-from typing import Any
-
 import numpy as np
 import pytest
 
 from soccer_env import Match
-from soccer_env.match.staging import begin_scene
 from soccer_env.types import Foul
 from tests.scenes.staging import place, put_ball, set_phase, stand
 
@@ -36,21 +33,6 @@ def test_a_ball_that_lies_for_ten_seconds_shows_half_of_the_scale() -> None:
     match.rebuild()
     match.step(stand(match))
     assert named(match)["ball_still"] == 0.0, "it has moved on"
-
-
-def test_the_state_tells_since_when_each_robot_has_not_seen_the_ball() -> None:
-    match = Match(home=1, away=1, seed=1, observe="belief")
-    set_phase(match, 0)
-    place(match, ball=(-1.2, 0.0, 0.0), robots={0: (-0.6, 0.0, np.pi), 1: (0.6, 0.0, 0.0)})
-    begin_scene(match)
-    for _ in range(20):
-        match.step(stand(match))
-    state, ages = state_of(match), match.beliefs["ball"]["age"][0]
-    shown = [state[f"{side}_0_ball_age"] for side in ("home", "away")]
-    assert shown == pytest.approx([1.0 if np.isinf(age) else age / (age + 1.0) for age in ages])
-    assert shown[0] < 0.1 and shown[1] > 0.5
-    blind: Any = Match(home=1, away=1, seed=1)
-    assert state_of(blind)["home_0_ball_age"] == 0.0, "nobody uses sensors"
 
 
 def test_a_whistle_for_pushing_starts_the_penalty_that_the_robot_is_told() -> None:

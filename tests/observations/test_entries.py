@@ -8,7 +8,7 @@ import pytest
 from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.observations import Entry, entries_named, layout
-from soccer_env.observations.entry import CAMERA, FIELD, NONE, ROBOT, SIDE, TEAM, TURN, X, Y, entries_dtype
+from soccer_env.observations.entry import CAMERA, FIELD, NONE, ROBOT, SIDE, TEAM, TURN, X, Y
 from soccer_env.observations.reflection import observation_signs
 from soccer_env.observations.scales import scale_in_numbers
 from soccer_env.observations.truth import PLAYER, PLAYER_SIZE
@@ -50,11 +50,6 @@ def test_names_of_a_policys_inputs_give_back_the_entries(league: str, observe: s
     entries = layout(find_league(league), observe)
     assert entries_named(observe, [entry.name for entry in entries]) == entries
     assert entries_named(observe, ["something"]) == [Entry("something")]
-
-
-def test_a_record_holds_the_entries_in_order() -> None:
-    record = entries_dtype([Entry("a"), Entry("b")])
-    assert record.names == ("a", "b") and record.itemsize == 8
 
 
 def played(league: str, observe: str) -> Match:
@@ -119,15 +114,6 @@ def test_entries_of_ones_own_are_mirrored() -> None:
     assert [(entry.group, entry.slot) for entry in entries[1::2]] == [("teammate", 0), ("opponent", 0)]
 
 
-def test_names_alone_play_but_say_what_a_mirror_misses() -> None:
-    match = Match(home=1, away=1, seed=1, observe=Own(names=("clock", "left")))
-    match.step(np.zeros((1, 2, 4)))
-    with pytest.raises(ValueError, match="a mirror needs to know the frame of every entry, and 'clock' says none"):
-        observation_signs(match.observation_entries)
-    with pytest.raises(ValueError, match="'line_0' would change places with another"):
-        observation_signs(layout(find_league("middle-size-2006"), "percepts"))
-
-
 def test_scales_are_in_numbers_as_observations_are_made() -> None:
     match = Match("legged-2001", home=1, away=1, seed=1, observe="truth")
     match.robots[0, 0]["x"], match.robots[0, 0]["y"], match.robots[0, 0]["heading"] = 0.9, 0.25, 0.0
@@ -148,12 +134,6 @@ def test_the_layout_names_every_number_once(league: str, truth: int, belief: int
         assert len(names) == len(set(names)) == size == len(Match(league, seed=0, observe=observe).observation_names)
     assert ("obstacle_near" in names) is (league == "legged-2001")  # the only league with a ranger
     assert len(PLAYER) == PLAYER_SIZE
-
-
-@pytest.mark.parametrize("league", LEAGUES)
-@pytest.mark.parametrize(("home", "away"), [(1, 1), (3, 5), (11, 11)])
-def test_the_layout_is_the_same_at_every_team_size(league: str, home: int, away: int) -> None:
-    assert Match(league, home=home, away=away, seed=0).observation_names == Match(league, seed=0).observation_names
 
 
 @pytest.mark.parametrize("league", LEAGUES)

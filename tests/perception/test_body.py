@@ -206,14 +206,6 @@ def test_a_robot_that_is_carried_is_told_where(name: str) -> None:
     assert not any(match.percepts["body"][part].any() for part in ("x", "y", "heading"))
 
 
-@pytest.mark.parametrize("heading", [np.pi, -np.pi + 1e-9, 3.0])
-@each_league
-def test_headings_stay_within_a_turn(name: str, heading: float) -> None:
-    match = posed(name, 50, heading=heading, sensors={"pose_turn_noise": 1.0})
-    match.step(stand(match))
-    assert (np.abs(match.percepts["body"]["heading"]) <= np.float32(np.pi)).all()
-
-
 def test_the_ends_of_the_field_change_places_at_half_time() -> None:
     match = posed(LEGGED, sensors=SHARP)
     match.matches["home_direction"] = -1.0

@@ -1,26 +1,17 @@
 """Settings of sensors that cannot be are refused, with a word on what is allowed."""
 
-import numpy as np
 import pytest
 
 from soccer_env import Match
 from soccer_env.leagues import find_league
-from soccer_env.leagues.legged_sensors import LeggedSensors
-from tests.scenes.staging import LEGGED, MIDDLE, play
+from tests.scenes.staging import LEGGED, MIDDLE
 
 
 @pytest.mark.parametrize(("league", "changes", "complaint"), [
     (LEGGED, {"ball_miss": 1.5}, "LeggedSensors.ball_miss must be 0 to 1, got 1.5"),
-    (LEGGED, {"player_miss": 2.0}, "player_miss must be 0 to 1"),
-    (LEGGED, {"landmark_miss": 1.01}, "landmark_miss must be 0 to 1"),
-    (LEGGED, {"red_as_orange": 3.0}, "red_as_orange must be 0 to 1"),
-    (LEGGED, {"audio_loss": 1.2}, "audio_loss must be 0 to 1"),
     (LEGGED, {"view_width": 0.0}, "view_width must be 0.0174533 to 3.12414, got 0.0"),
-    (LEGGED, {"view_height": 3.15}, "view_height must be 0.0174533 to 3.12414"),
     (LEGGED, {"infrared_near": 0.95}, "infrared_near must be at most infrared_far 0.9, got 0.95"),
     (LEGGED, {"patch_low": 1.2}, "patch_low must be at most patch_high 1.0"),
-    (LEGGED, {"landmark_low": 0.5}, "landmark_low must be at most landmark_high 0.4"),
-    (LEGGED, {"trunk_low": 0.2}, "trunk_low must be at most trunk_height 0.18"),
     (LEGGED, {"patches": 3.0}, "patches must be an even whole number"),
     (LEGGED, {"patches": 1000.0}, "patches must be 0 to 64"),
     (LEGGED, {"scale_error": 0.9}, "scale_error must be 0 to 0.5"),
@@ -30,25 +21,11 @@ from tests.scenes.staging import LEGGED, MIDDLE, play
     (MIDDLE, {"lines": 33}, "lines must be 1 to 32, got 33"), (MIDDLE, {"lines": 0}, "lines must be 1 to 32, got 0"),
     (MIDDLE, {"image": 8}, "image must be 16 to 4096, got 8"),
     (MIDDLE, {"camera_delay": 4}, "camera_delay must be 0 to 3, got 4"),
-    (MIDDLE, {"ball_miss": 1.5}, "ball_miss must be 0 to 1, got 1.5"),
-    (MIDDLE, {"radio_loss": 1.1}, "radio_loss must be 0 to 1, got 1.1"),
     (MIDDLE, {"mirror_eccentricity": 0.9}, "mirror_eccentricity must be 1 to 1000, got 0.9"),
     (MIDDLE, {"mirror_edge": 0.0}, "mirror_edge must be 0.001 to 1000, got 0"),
-    (MIDDLE, {"detection_width": 0.0}, "detection_width must be 0.001 to 1000000, got 0"),
-    (MIDDLE, {"light_period": 0.0}, "light_period must be 0.001 to 1000000, got 0"),
     (MIDDLE, {"hidden_radius": 10.0}, "hidden_radius must be less than mirror_edge 10.0, got 10.0"),
 ])  # fmt: skip
 def test_impossible_sensors_are_refused(league: str, changes: dict[str, object], complaint: str) -> None:
     for make in (find_league(league).sensors.changed, lambda changes: Match(league, sensors=changes)):
         with pytest.raises(ValueError, match=complaint.replace(".", r"\.")):
             make(changes)
-
-
-@pytest.mark.parametrize("changes", [
-    {"ball_miss": 1.0}, {"patch_low": 0.5, "patch_high": 0.5}, {"jersey": 0.0}, {"patches": 0.0}, {"view_width": 2.0},
-])  # fmt: skip
-def test_unusual_sensors_are_allowed(changes: dict[str, float]) -> None:
-    match = Match("legged-2001", matches=1, seed=1, observe="belief", sensors=changes)
-    play(match, steps=3)
-    assert np.isfinite(match.observations).all()
-    assert set(changes) <= {row[0] for row in LeggedSensors(**changes).rows()}

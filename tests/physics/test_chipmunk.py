@@ -108,20 +108,6 @@ def test_body_attributes_agree_with_the_rows_and_two_threads_play_what_one_plays
     assert alone.bodies.tobytes() == shared.bodies.tobytes()
 
 
-@pytest.mark.parametrize("backend", ["c", "batch"])
-def test_writing_back_what_was_read_changes_nothing_and_walls_stay_where_they_are(backend):
-    kept, rewritten = (fill_batch(2, backend, polygons=True) for _ in range(2))
-    rngs = [np.random.default_rng(3) for _ in range(2)]
-    for _ in range(200):
-        for batch, rng in zip((kept, rewritten), rngs, strict=True):
-            batch.step_all(DT, command(batch, rng))
-        rewritten.write_bodies(0)
-        rewritten.write_bodies(1)
-    assert kept.bodies.tobytes() == rewritten.bodies.tobytes()
-    static = rewritten.spaces[0].static_body
-    assert (*static.position, static.angle, *static.velocity, static.angular_velocity) == (0.0,) * 6
-
-
 @compiled
 def drive_and_step(links, velocities, bodies, m, speed):
     for r in range(velocities.shape[1] - 3):

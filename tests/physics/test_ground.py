@@ -232,7 +232,7 @@ def test_robots_that_run_at_full_speed_into_the_boards_stay_inside_them(name):
 
 
 @pytest.mark.parametrize("name", LEAGUES)
-@pytest.mark.parametrize("home", range(1, MAX_TEAM + 1))
+@pytest.mark.parametrize("home", [1, 2, 5, 8, MAX_TEAM])
 def test_teams_of_every_size_play_500_random_steps_in_one_piece(name, home):
     away = MAX_TEAM + 1 - home if home % 2 else home
     match = Match(name, home=home, away=away, matches=2, seed=home, senses="ideal", rules="simple")
@@ -250,19 +250,3 @@ def test_teams_of_every_size_play_500_random_steps_in_one_piece(name, home):
     found = deepest_overlaps(match)
     assert found["robot robot"] < 0.25 * reach and found["robot wall"] < 0.1 * reach
     assert found["ball robot"] < 1.25 * match.league.ball.radius
-
-
-@pytest.mark.parametrize("name", LEAGUES)
-def test_padding_touches_nobody_and_nobody_touches_it(name):
-    match = Match(name, home=1, away=2, max_players=5, matches=4, seed=1)
-    rng = np.random.default_rng(1)
-    absent = match.robots["active"][0] == 0
-    assert absent.sum() == 7
-    parked = match.robots[:, absent].copy()
-    for _ in range(300):
-        match.step(rng.uniform(-1.0, 1.0, (4, 10, 4)))
-        for event in match.robot_events.dtype.names:
-            assert not match.robot_events[event][:, absent].any()
-    for axis in ("x", "y", "heading", "vx", "vy", "omega"):
-        np.testing.assert_array_equal(match.robots[axis][:, absent], parked[axis])
-    assert (np.hypot(parked["x"], parked["y"]) > 40.0).all(), "away from the field"

@@ -23,7 +23,6 @@ from tests.scenes.staging import (
     speed,
     stage,
     stand,
-    steady,
 )
 
 KICKS = 1000
@@ -177,22 +176,3 @@ def test_a_ball_that_another_robot_touches_lies_as_badly_as_it_can(name, miss, g
     place(match, robots={1: (0.1 + apart * np.cos(heading), -0.2 + apart * np.sin(heading), heading + np.pi)})
     missed = (~finish(match)).mean()
     assert missed == pytest.approx(share * miss, abs=4.0 * np.sqrt(share * miss * (1.0 - miss) / KICKS))
-
-
-@each_league
-def test_a_ball_kicked_against_a_robot_that_touches_it_does_not_get_past(name):
-    match = stage(steady(name))
-    apart = 2.0 * (match.league.body.front + match.league.ball.radius) + 0.002
-    put(match, 0, 0.0, 0.0)
-    put(match, 1, apart, 0.0, np.pi)
-    put_ball(match, 0.5 * apart, 0.0)
-    match.robots["has_ball"] = 1
-    match.rebuild()
-    kicked = 0
-    for _ in range(16):
-        match.step(robot_actions(match, kick=1.0))
-        kicked += int(match.robot_events["kick"][0, 0])
-        between = match.robots["x"][0, 0] < match.balls["x"][0] < match.robots["x"][0, 1]
-        assert between and abs(match.balls["y"][0]) < 0.1
-    assert kicked == 1
-    assert match.robots["x"][0, 1] > apart, "the other robot takes a share of the blow"

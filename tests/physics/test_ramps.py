@@ -9,7 +9,6 @@ from soccer_env import Match
 from soccer_env.leagues import find_league
 from tests.scenes.staging import (
     LEGGED,
-    MIDDLE,
     energy,
     league_without_calls,
     place,
@@ -84,15 +83,6 @@ def test_a_ball_in_the_mouth_of_a_goal_does_not_roll_onto_the_end_of_a_ramp(end,
     play(match, 1.0, stand(match))
     assert (match.balls["x"][0], match.balls["y"][0]) == pytest.approx((end * 1.43, side * 0.3), abs=2e-6)
     assert match.balls["vy"][0] == match.balls["roll_y"][0] == 0.0
-
-
-@pytest.mark.parametrize("name", ["legged-2001-upright", MIDDLE])
-def test_boards_without_ramps_let_the_ball_lie_where_it_is(name):
-    league = league_without_calls(find_league(name))
-    y = league.pitch.width / 2 - league.ball.radius - 0.001
-    match = stage(league, ball=(0.2, y))
-    play(match, 1.0, stand(match))
-    assert match.balls["y"][0] == pytest.approx(y, abs=1e-9)
 
 
 def test_a_ramp_gives_no_ball_energy_and_none_stays_on_it_or_leaves_the_pitch():

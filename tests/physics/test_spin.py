@@ -16,7 +16,7 @@ from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
 from tests.scenes.leagues import MIDDLE, boarded, each_league, icy
-from tests.scenes.staging import energy, freeze, put, put_ball, record_each_step, robot_actions, stage, stand
+from tests.scenes.staging import energy, freeze, put_ball, stage, stand
 
 RATE = 1000  # [1/s] control steps, so short that a step holds one blow
 SUBSTEPS = 2
@@ -155,23 +155,3 @@ def test_a_wall_takes_the_roll_of_a_ball_that_its_own_roll_drives_into_it(name):
         left = max(began - rate * step / RATE, 0.0)
         assert match.balls["roll_y"][0] == pytest.approx(left, abs=0.03) and match.balls["roll_y"][0] > -0.03
     assert abs(match.balls["vy"][0]) < 0.01
-
-
-@each_league
-def test_a_ball_pressed_against_a_board_loses_its_roll_to_both_sides(name):
-    """A robot that pushes presses with its mass times thrust; board and robot each take mu of it, in no time."""
-    league = fine(icy(boarded(name)))
-    body, ball, materials = league.body, league.ball, league.materials
-    match = stage(league)
-    edge = 0.5 * league.pitch.length
-    y = 0.4 * league.pitch.width
-    put_ball(match, edge - ball.radius, y)
-    put(match, 0, edge - 2.0 * ball.radius - body.front, y, forward=league.drive.forward)
-    match.robots["vx"] = 0.0
-    press = body.mass * league.drive.thrust  # [N]
-    rate = (materials.ball_board.friction + materials.ball_robot.friction) * press / (ball.shell * ball.mass)
-    match.balls["roll_x"] = began = rate * 40 / RATE
-    match.rebuild()
-    left = record_each_step(match, lambda: match.balls["roll_x"][0], 0.0, robot_actions(match, forward=1.0), 60)
-    assert (left[9] - left[29]) * RATE / 20 == pytest.approx(rate, rel=0.1), "once it has begun to press"
-    assert left[-1] == pytest.approx(0.0, abs=1e-3 * began)

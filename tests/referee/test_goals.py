@@ -187,14 +187,3 @@ def test_the_last_touch_before_it_went_out_decides_and_a_robot_that_drives_the_b
             break
     assert match.events["restart"][0] == Phase.THROW_IN and match.events["restart_team"][0] == AWAY
     assert match.matches["last_touch_team"][0] == NO_TEAM, "a restart forgets who touched the ball"
-
-
-def test_on_a_walled_field_the_ball_never_goes_out():
-    rng = np.random.default_rng(0)
-    angle = rng.uniform(-np.pi, np.pi, 60)
-    x, y = rng.uniform(-1.2, 1.2, 60), rng.uniform(-0.8, 0.8, 60)
-    match = stage(LEGGED, 60, ball=(x, y, 2.0 * np.cos(angle), 2.0 * np.sin(angle)))
-    for _ in range(64):
-        match.step(stand(match))
-        assert not match.events["out"].any()
-        assert np.isin(match.events["restart"], (0, Phase.KICK_OFF)).all()

@@ -7,7 +7,6 @@ from soccer_env import Match
 from soccer_env.leagues import find_league
 from soccer_env.match.staging import constants_of
 from soccer_env.physics.contacts import robots_touch
-from soccer_env.referee.places import MARGIN, are_robots_too_near, capsule
 from soccer_env.referee.restarts import STEP_ASIDE, make_room
 from soccer_env.types import AWAY, HOME, MAX_TEAM, NO_TEAM, Phase
 from tests.scenes.leagues import LEAGUES, LEGGED, MIDDLE, each_league
@@ -19,7 +18,7 @@ KINDS = {
     MIDDLE: (Phase.KICK_OFF, Phase.THROW_IN, Phase.GOAL_KICK, Phase.CORNER_KICK),
 }
 KIND_CASES = [(name, phase) for name in LEAGUES for phase in KINDS[name]]
-SIZES = (1, 2, 3, 5, 8, MAX_TEAM)
+SIZES = (1, 3, 5, MAX_TEAM)
 TAKERS = np.repeat([HOME, AWAY], 4)  # of the eight matches of a case
 DIRECTIONS = np.tile([1.0, 1.0, -1.0, -1.0], 2)
 SIDES = np.tile([1.0, -1.0], 4)
@@ -95,7 +94,7 @@ def assert_legal(match, phase):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("home", "away"), [*((size, size) for size in SIZES), (1, MAX_TEAM), (MAX_TEAM, 2), (4, 9)])
+@pytest.mark.parametrize(("home", "away"), [*((size, size) for size in SIZES), (MAX_TEAM, 2), (4, 9)])
 @pytest.mark.parametrize(("name", "phase"), KIND_CASES)
 def test_instant_placement_is_legal_for_teams_of_every_size_and_unequal_ones(name, phase, home, away):
     match = called(name, phase, home, away, seed=home)
@@ -104,42 +103,13 @@ def test_instant_placement_is_legal_for_teams_of_every_size_and_unequal_ones(nam
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("size", [1, 3, 5, MAX_TEAM])
+@pytest.mark.parametrize("size", [1, 5, MAX_TEAM])
 @pytest.mark.parametrize(("name", "phase"), KIND_CASES)
 def test_robots_drive_to_their_places_for_10_s_at_most_and_then_stand_legally(name, phase, size):
     match = called(name, phase, size, size, "drive", seed=size)
     steps = drive_to_places(match, np.random.default_rng(size))
     assert (steps * match.league.dt <= match.league.rules.placing_time + 1e-9).all()
     assert_legal(match, phase)
-
-
-def test_a_middle_size_team_is_in_place_within_ten_seconds_and_drives_there():
-    match = called(MIDDLE, Phase.KICK_OFF, 3, 3, "drive", seed=7)
-    for _ in range(15):
-        before = match.robots.copy()
-        match.step(stand(match))
-        assert (distance(match.robots, before["x"], before["y"]) <= 2.7 * match.league.dt).all(), "somebody was put"
-    assert (speed(match.robots) > 0.0).mean() > 0.7
-    steps = drive_to_places(match)
-    assert (steps * match.league.dt < 10.0).mean() > 0.7
-
-
-def test_the_old_base_finds_its_place_without_stepping_aside():
-    match = Match("middle-size-2006-differential", home=1, away=1, matches=8, seed=3, placement="drive")
-    set_phase(match, Phase.PLAY)
-    scatter(match, np.random.default_rng(3), 0.8)
-    place(match, ball=(match.league.pitch.length / 2 + 0.2, 0.0))
-    match.step(stand(match))
-    places = match.robots[["place_x", "place_y"]].copy()
-    last = match.robots.copy()
-    placing = np.ones(8, bool)
-    while placing.any():
-        last[placing] = match.robots[placing]
-        match.step(stand(match))
-        placing &= match.matches["placing"] == 1
-    off = distance(last, places["place_x"], places["place_y"])
-    assert (off[:, 1] < 0.15).mean() >= 0.85, "away takes the kick-off; a few are held up by home's robot"
-    assert (match.robots["x"][:, 0] <= 0.0).all(), "the other one only has to be where the rules let it"
 
 
 def test_at_a_middle_size_kick_off_opponents_keep_2_m_and_stay_in_their_half():
@@ -162,17 +132,6 @@ def test_the_taker_faces_the_ball_with_the_opponents_goal_ahead_and_goalkeepers_
     keepers, pitch = match.robots[:, [0, 3]], match.league.pitch
     assert (keepers["keeper"] == 1).all() and (abs(keepers["y"]) < pitch.goal_width / 2).all()
     assert (abs(keepers["x"] - [-pitch.length / 2, pitch.length / 2]) < 0.1 * pitch.length).all()
-
-
-@each_league
-def test_formations_differ_by_centimetres_and_robots_may_stand_side_by_side_with_a_margin_between_them(name):
-    match = Match(name, home=3, away=3, matches=50, seed=8)
-    spread = match.robots["x"][match.matches["kick_off_team"] == HOME].std(axis=0)
-    assert (spread > 0.002).all() and (spread < 0.05).all() and len(np.unique(match.robots["heading"])) == 50 * 6
-    k = constants_of(Match(name, home=1, away=1, seed=1))[0]
-    _, radius = capsule(k)
-    for gap, near in ((MARGIN + 1e-3, False), (MARGIN - 1e-3, True)):
-        assert are_robots_too_near(k, 0.0, 0.0, 0.0, 0.0, 2.0 * radius + gap, 0.0) == near
 
 
 @each_league

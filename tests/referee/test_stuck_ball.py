@@ -3,11 +3,9 @@
 import numpy as np
 import pytest
 
-from soccer_env import Match
-from soccer_env.types import MAX_TEAM, NO_TEAM, Phase
-from tests.scenes.leagues import LEAGUES, LEGGED, each_league
-from tests.scenes.looking import deepest_overlaps, distance, speed
-from tests.scenes.staging import place, play, scatter, set_phase, stage, stand, steps_in
+from soccer_env.types import NO_TEAM, Phase
+from tests.scenes.leagues import LEGGED, each_league
+from tests.scenes.staging import place, play, set_phase, stage, stand, steps_in
 
 
 @each_league
@@ -73,28 +71,6 @@ def test_a_restart_that_nobody_takes_is_no_stuck_ball(name):
         match.step(stand(match))
         assert not match.events["stuck"].any()
     assert match.matches["phase"][0] == Phase.PLAY and match.matches["still_clock"][0] < 1.0
-
-
-@pytest.mark.parametrize("placement", ["instant", "drive"])
-@pytest.mark.parametrize("name", LEAGUES)
-@pytest.mark.parametrize("size", [1, 3, 5, MAX_TEAM])
-def test_at_a_dropped_ball_the_robots_are_pulled_apart_and_away_from_it(name, size, placement):
-    match = Match(name, home=size, away=size, matches=6, seed=size, placement=placement)
-    rules = match.league.rules
-    set_phase(match, Phase.PLAY)
-    scatter(match, np.random.default_rng(size), 0.98)
-    match.balls["x"], match.balls["y"] = match.robots["x"][:, 0], match.robots["y"][:, 0]
-    match.robots["vx"], match.robots["vy"], match.robots["omega"] = 0.05, -0.03, 0.2
-    match.matches["still_x"], match.matches["still_y"] = match.balls["x"], match.balls["y"]
-    match.matches["still_clock"] = rules.stuck_time
-    match.rebuild()
-    match.step(stand(match))
-    assert (match.events["stuck"] == 1).all() and (match.matches["placing"] == 0).all()
-    far = distance(match.robots, match.balls["x"][:, None], match.balls["y"][:, None])
-    assert (far >= rules.separation).all()
-    assert not speed(match.robots).any() and not match.robots["omega"].any()
-    found = deepest_overlaps(match)
-    assert found["robot robot"] < 0.001 and found["robot wall"] < 0.001
 
 
 def test_anybody_may_play_a_dropped_ball_at_once():

@@ -1,7 +1,6 @@
 """Overlays are what robots believe, see and plan, live and in a replay alike; what is missing is said."""
 
 from collections.abc import Callable
-from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -12,22 +11,16 @@ import pytest
 pytest.importorskip("pygame")
 
 from soccer_env import Match, shows
-from soccer_env.geometry import out_of_frame
-from soccer_env.leagues import find_league
-from soccer_env.render import Picture, colours
+from soccer_env.render import Picture
 from soccer_env.render.overlays.cast import Cast, Snapshot, cast_of, take_snapshot
 from soccer_env.render.overlays.flags import FLAGS, OverlayFlags, parse_flags
-from soccer_env.render.overlays.forces import force_arrows, grid, rebuild_inputs
 from soccer_env.render.overlays.layers import make_overlays, planned_path
 from soccer_env.render.overlays.onlooker import Onlooker, ReplaySnapshots
 from soccer_env.render.overlays.panels import TextPanel
-from soccer_env.render.overlays.paths import JUMP, path_since_jump
 from soccer_env.render.overlays.roles import activity_words
-from soccer_env.render.overlays.sight import ray_end
 from soccer_env.replay import Recorder, Replay, Thoughts
 from soccer_env.teams import explanation_of, shipped_team
-from soccer_env.thoughts.thought import NoteReader, Player, Thought, interpolate_notes, note_at
-from tests.render.staged_frames import coloured_pixels
+from soccer_env.thoughts.thought import NoteReader, Thought
 
 TEAMS = {"legged-2001": "sacks-2001", "middle-size-2006": "heinemann-2006"}
 
@@ -72,26 +65,6 @@ def test_a_replay_draws_what_the_match_drew(league: str, tmp_path: Path) -> None
     assert np.array_equal(*(picture.draw(*last[:3], overlays=given) for (_, last), given in zip(both, layers)))
     frame = shows.frame(replay, 90 / match.league.control_rate, width=480)
     assert np.array_equal(frame[200:], picture.draw(*shot[:3])[200:])
-
-
-def test_the_field_pulls_to_the_goal_and_players_ahead_push_back() -> None:
-    match = played("legged-2001")[0]
-    cast, shot = looked_at(match)
-    thought, part = cast.thought(shot, 1), cast.parts[1]
-    assert thought is not None and part.explanation is not None and part.explanation.forces is not None
-    points, cell = grid(3.0, 2.0)
-    assert cell == 0.125 and abs(points).max(axis=0) == pytest.approx((1.4375, 0.9375))
-    assert len(force_arrows(cast, shot, 1, thought, np.zeros(2), 1.0)[0].middles) == len(points) == 24 * 16
-    here = np.array([[-0.5, 0.0], [0.5, 0.0], [0.0, 0.9]])
-    alone = replace(thought, pose=(0.0, 0.0, 0.0), players=(), groups={})
-    free = part.explanation.forces(rebuild_inputs(alone, 1.0, cast.constants, part.settings), np.zeros(2), here)
-    assert (free[:, 0] > 0.0).all() and free[:2, 1] == pytest.approx(0.0, abs=1e-9)
-    assert free[2, 1] < -0.5  # off the near side wall
-    facing = replace(alone, players=(Player(0.9, 0.0, False, 0.0),))
-    held = part.explanation.forces(rebuild_inputs(facing, 1.0, cast.constants, part.settings), np.zeros(2), here)
-    assert held[1, 0] < free[1, 0] - 0.5 and held[0, 0] > held[1, 0]  # the nearer the more
-    away = part.explanation.forces(rebuild_inputs(facing, -1.0, cast.constants, part.settings), np.zeros(2), -here)
-    assert away[1, 0] > 0.0  # whoever attacks the other way does so too
 
 
 def test_the_plan_is_the_teams_own_and_leads_from_the_robot_to_its_end() -> None:
@@ -151,26 +124,6 @@ def test_notes_of_older_versions_still_read() -> None:
     assert said("belief,sight,path", reel.cast, last) == [*lacking, said("belief", reel.cast, last)[0]]
 
 
-def test_between_two_notes_places_move_evenly_and_jumps_do_not() -> None:
-    notes = played("middle-size-2006")[1].notes()
-    early, late = notes.numbers[3].copy(), notes.numbers[4].copy()
-    early[0, :3], late[0, :3] = (1000, 0, 3100), (1200, -100, -3100)
-    early[1, :2], late[1, :2] = (0, 0), (3000, 0)
-    middle = interpolate_notes(early, late, 0.5, notes.slots)
-    assert middle[0, :2].tolist() == [1100, -50] and abs(abs(int(middle[0, 2])) - 3142) < 3
-    assert middle[1, :2].tolist() == [0, 0]
-    assert note_at(notes, int(notes.steps[0]) - 1) is None
-    assert np.array_equal(note_at(notes, 10_000), notes.numbers[-1])
-
-
-def test_a_way_is_cut_where_it_jumps_and_a_ray_ends_at_the_board() -> None:
-    way = [(0.0, 0.0), (0.1, 0.0), (0.1 + 2 * JUMP, 0.0), (0.2 + 2 * JUMP, 0.0)]
-    assert path_since_jump(way) == way[2:]
-    x, y = ray_end(find_league("legged-2001"), 0.3, 0.2, 0.7)
-    ahead = out_of_frame(np.hypot(x - 0.3, y - 0.2), 0.0, np.cos(0.7), np.sin(0.7))
-    assert max(abs(x) - 1.5, abs(y) - 1.0) == pytest.approx(0.0) and (x, y) == pytest.approx(np.add((0.3, 0.2), ahead))
-
-
 def test_recovery_is_told_in_words() -> None:
     def told(words: tuple[str, ...], numbers: dict[str, float], keeper: bool = False) -> tuple[str, bool]:
         return activity_words(words, numbers, keeper, False)
@@ -179,18 +132,6 @@ def test_recovery_is_told_in_words() -> None:
     assert told(("support", "supporter"), {}) == ("supporter", False)
     assert told((), {"rank": 0.0}, keeper=True) == ("goalkeeper", False)
     assert told(("defender",), {"detour": 0.4}) == ("defender, goes round", True)
-
-
-@pytest.mark.parametrize("league", TEAMS)
-def test_words_of_a_fallen_robot_do_not_cover_its_mark(league: str) -> None:
-    cast, shot = looked_at(played(league)[0])
-    robots, note = shot.robots.copy(), np.array(shot.note)
-    robots["fallen"][1], robots["y"][1] = 2.0, -0.6  # apart from all others
-    overlays = make_overlays(parse_flags("roles"), cast, Snapshot(shot.match, shot.ball, robots, note), [], 640)
-    picture = Picture(league, 640)
-    plain, worded = (picture.draw(*shot[:2], robots, overlays=given) for given in ([], overlays))
-    mark = coloured_pixels(plain, colours.AMBER, 8)
-    assert mark.sum() > 300 and not (plain != worded).any(axis=2)[mark].any()
 
 
 @pytest.mark.parametrize(
@@ -221,18 +162,3 @@ def test_an_env_draws_them_and_without_flags_nothing_is_asked(monkeypatch: pytes
     match = played("legged-2001")[0]
     monkeypatch.setattr(Thoughts, "look", None)
     assert Onlooker(match, None).see(match, 480) == []
-
-
-@pytest.mark.parametrize("league", TEAMS)
-def test_notes_without_groups_say_the_same_of_beliefs_and_memories(league: str) -> None:
-    match, _ = played(league)
-    few, all_of = Thoughts(match, grouped=False), Thoughts(match)
-    brief, full = few.look(match), all_of.look(match)
-    assert brief.shape[1] < full.shape[1]
-    for r in range(len(match.agents)):
-        mine, theirs = NoteReader.of(few).thought(brief, r), NoteReader.of(all_of).thought(full, r)
-        assert replace(mine, groups={}) == replace(theirs, groups={}) and theirs.groups
-        assert NoteReader.of(few).memory(brief, r) == (theirs.words, theirs.numbers)
-        assert NoteReader.of(all_of).thinks(full)[r] == theirs.knows
-    assert not parse_flags("belief,trail,roles").need_groups
-    assert all(parse_flags(name).need_groups for name in ("sight", "field", "path", "infrared"))

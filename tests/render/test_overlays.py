@@ -9,8 +9,8 @@ import pytest
 
 from soccer_env import types
 from soccer_env.leagues import find_league
-from soccer_env.render import Arrows, Label, Picture, Points, Polyline, colours
-from soccer_env.render.captions import PHASES, clock_words, goal_team, half_words, phase_words, possession_words
+from soccer_env.render import Arrows, Picture, Points, Polyline, colours
+from soccer_env.render.captions import clock_words, goal_team, half_words, phase_words
 from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
 from tests.render.staged_frames import make_records
 
@@ -30,24 +30,6 @@ def test_bad_overlays_name_the_value_and_leave_no_trace():
         assert np.array_equal(picture.draw(*records), clean)
 
 
-def test_a_line_through_many_points_is_the_lines_between_them():
-    picture, records = Picture("middle-size-2006", 481), make_records(1, 0)
-    angle = np.linspace(0.0, 5.0, 30)
-    way = np.stack([angle - 2.0, np.sin(3.0 * angle)], axis=1)
-    whole = picture.draw(*records, overlays=[Polyline(way, colours.WHITE, 3.0)])
-    pieces = [Polyline(piece, colours.WHITE, 3.0) for piece in zip(way, way[1:], strict=False)]
-    assert np.array_equal(whole, picture.draw(*records, overlays=pieces))
-    assert whole.flags.writeable and whole.flags.c_contiguous and whole.shape == (picture.height, 481, 3)
-
-
-def test_nothing_is_written_about_a_place_outside_the_picture():
-    picture, records = Picture("legged-2001", 480), make_records()
-    clean = picture.draw(*records)
-    outside = [Label((0.0, -9.0), "8 s", colours.WHITE, 15.0, (0.0, away)) for away in (-2000.0, -1900.0, 0.0)]
-    assert np.array_equal(picture.draw(*records, overlays=outside), clean)
-    assert not np.array_equal(picture.draw(*records, overlays=[Label((0.0, 0.0), "8 s", colours.WHITE)]), clean)
-
-
 PLACING = {"restart_team": HOME, "placing": 1, "phase_clock": 3.4}
 RULES = find_league("middle-size-2006").rules
 
@@ -58,17 +40,6 @@ def make_match(**values):
     for name, value in values.items():
         match[name] = value
     return match
-
-
-def make_robots():
-    robots = np.zeros(4, types.ROBOT)
-    robots["team"], robots["number"], robots["active"] = (0, 0, 1, 1), (0, 1, 0, 1), 1
-    robots["keeper"] = robots["number"] == 0
-    return robots
-
-
-def test_every_phase_has_words_of_its_own():
-    assert set(PHASES) == set(Phase) and len(set(PHASES.values())) == len(Phase)
 
 
 @pytest.mark.parametrize(
@@ -95,22 +66,6 @@ def test_the_clock_counts_minutes_and_seconds_and_the_half_is_named():
     assert half_words(make_match(half_length=600.0)) == "1st half, 10 min"
     assert half_words(make_match(half_length=450.0, half=1)) == "2nd half, 7.5 min"
     assert half_words(make_match(half_length=np.inf)) == "no halves"
-
-
-def test_possession_names_the_robot_that_has_the_ball():
-    robots = make_robots()
-    robots[3]["has_ball"] = 1
-    assert possession_words(make_match(last_touch_team=HOME, last_touch_robot=1), robots) == ("ball: blue 1", AWAY)
-    robots[0]["has_ball"] = 1
-    assert possession_words(make_match(), robots) == ("ball: red 0 (keeper) + blue 1", NO_TEAM)
-    robots["active"] = 0
-    assert possession_words(make_match(), robots) == ("loose, not touched yet", NO_TEAM)
-
-
-def test_a_loose_ball_names_the_last_touch():
-    robots, by_blue = make_robots(), make_match(last_touch_team=AWAY, last_touch_robot=3)
-    assert possession_words(by_blue, robots)[0] == "loose, last touch: blue 1"
-    assert possession_words(make_match(last_touch_team=HOME), robots)[0] == "loose, last touch: red"
 
 
 def test_a_goal_is_shown_at_the_kick_off_that_follows_it():

@@ -10,7 +10,7 @@ import pytest
 from soccer_env import Match, shows
 from soccer_env.match.staging import put_ball
 from soccer_env.replay import Recorder, Replay, Thoughts
-from soccer_env.shows.browser.events import BallPlay, EventCollector
+from soccer_env.shows.browser.events import EventCollector
 from soccer_env.thoughts.thought import NoteReader
 from soccer_env.train.evaluate.recording import shown_memory_fields
 from tests.render.chromium import Chromium, needs_chromium
@@ -122,14 +122,6 @@ def test_a_dribble_a_push_and_a_scrum(team: int, half: int) -> None:
         (_, _, side, r, words), more = scene.goal()
         assert (side, r, words) == (team, scene.row(1), f"{scene.named(scene.row(1))} scores for {TEAMS[team]}")
         assert (more["kind"], more["how"], more["score"]) == (kind, how, scene.score(team))
-
-
-@pytest.mark.parametrize("first", [0, 1])
-def test_of_two_who_touched_the_ball_the_later_one_made_the_goal(first: int) -> None:
-    match = Match(LEGGED, home=2, away=1, seed=1)
-    stories = EventCollector(match, TEAMS)
-    stories._touches = {r: BallPlay(r, 5 if r == first else 9, 0.0, 0.0) for r in (0, 1)}
-    assert stories._shot(0, first, 10, match.robots[0]).row == 1 - first
 
 
 def test_kicks_of_a_shoot_out_say_who_scores_and_the_score() -> None:

@@ -14,8 +14,7 @@ import pygame
 import pytest
 
 from soccer_env import types
-from soccer_env.leagues import find_league
-from soccer_env.render import Picture, Window, check_display, contact_sheet, png_of_frame, save_png
+from soccer_env.render import Picture, Window, check_display, png_of_frame, save_png
 from tests.render.staged_frames import make_records, stage_picture
 from tests.scenes.staging import LEAGUES
 
@@ -45,19 +44,6 @@ def test_drawing_leaves_the_records_alone_and_takes_read_only_ones():
     assert [record.tobytes() for record in records] == before
 
 
-def test_records_of_a_batch_are_drawn_one_match_at_a_time():
-    match, ball, robots = make_records()
-    matches, balls, teams = np.stack([match] * 3), np.stack([ball] * 3), np.stack([robots] * 3)
-    balls["x"] = (0.1, 0.2, 0.3)
-    picture = Picture("legged-2001", 480)
-    ball["x"] = 0.2
-    assert np.array_equal(picture.draw(matches[1], balls[1], teams[1]), picture.draw(match, ball, robots))
-    with pytest.raises(ValueError, match=r"match must be one record, got shape \(3,\)"):
-        picture.draw(matches, balls[0], teams[0])
-    with pytest.raises(ValueError, match=r"robots must be records of shape \(R,\), got shape \(3, 4\)"):
-        picture.draw(matches[0], balls[0], teams)
-
-
 @pytest.mark.parametrize("width", (0, -5, 239, 100_000, 480.0, float("nan"), "960", None, True))
 def test_a_bad_width_is_a_value_error_that_names_it(width):
     with pytest.raises(ValueError, match=f"width must be .*got {width!r}"):
@@ -74,22 +60,6 @@ def test_a_pose_that_is_not_finite_is_a_value_error_that_names_it():
         picture.draw(match, ball, robots)
     with pytest.raises(ValueError, match="unknown league 'cricket'"):
         Picture("cricket")
-
-
-def test_names_of_any_kind_fit_the_plates():
-    picture = Picture(find_league("legged-2001"), 240)
-    for title in (("", "x" * 500), ("two\nlines\0", "möwen 2001"), ("\ud800", 7)):
-        assert picture.draw(*make_records(), title=title).shape == (picture.height, 240, 3)
-
-
-def test_pictures_outlive_pygame_quit():
-    import pygame
-
-    picture, records = Picture("legged-2001", 480), make_records()
-    before = picture.draw(*records)
-    pygame.quit()
-    records[0]["clock"] = 83.0  # a new word for the header
-    assert not np.array_equal(picture.draw(*records), before)
 
 
 def test_importing_the_package_leaves_pygame_alone_and_a_picture_needs_no_display():
@@ -131,26 +101,6 @@ def test_a_png_holds_the_frame_and_its_path_ends_so(tmp_path):
         save_png(np.zeros((2, 2, 3)), tmp_path / "frame.png")
 
 
-def test_a_contact_sheet_shows_frames_row_by_row():
-    frames = [np.full((10, 20, 3), 40 * index, np.uint8) for index in range(5)]
-    sheet = contact_sheet(frames, columns=3, gap=4)
-    assert sheet.shape == (2 * 14 + 4, 3 * 24 + 4, 3)
-    for index, frame in enumerate(frames):
-        top, left = 4 + 14 * (index // 3), 4 + 24 * (index % 3)
-        assert np.array_equal(sheet[top : top + 10, left : left + 20], frame)
-    assert contact_sheet(frames[:2], columns=3, gap=0).shape == (10, 40, 3)
-
-
-def test_bad_sheets_are_value_errors():
-    frame = np.zeros((10, 20, 3), np.uint8)
-    with pytest.raises(ValueError, match="at least one frame"):
-        contact_sheet([])
-    with pytest.raises(ValueError, match="columns must be at least 1"):
-        contact_sheet([frame], columns=0)
-    with pytest.raises(ValueError, match="must have one size"):
-        contact_sheet([frame, frame[:5]])
-
-
 pytest.importorskip("pygame")
 
 
@@ -189,24 +139,6 @@ def test_a_window_shows_the_frame():
     window.show(make_frame("middle-size-2006", 400))
     assert window._window.size[0] == 400
     window.close()
-
-
-def test_two_windows_stand_side_by_side_and_the_user_closes_one():
-    left, right = Window("left"), Window("right")
-    assert left.show(make_frame()) and right.show(make_frame("middle-size-2006"))
-    pygame.event.post(pygame.event.Event(pygame.WINDOWCLOSE, window=right._window))
-    assert left.show(make_frame()) and left.is_open
-    assert not right.show(make_frame()) and right.closed_by_user and not right.is_open
-    assert not right.show(make_frame()) and not right.is_open
-    assert left.show(make_frame())
-    left.close()
-
-
-def test_escape_closes_the_window_it_was_pressed_in():
-    window = Window()
-    window.show(make_frame())
-    pygame.event.post(pygame.event.Event(pygame.KEYDOWN, key=pygame.K_ESCAPE, window=window._window))
-    assert not window.show(make_frame()) and window.closed_by_user
 
 
 def test_a_window_knows_which_keys_are_held_down():

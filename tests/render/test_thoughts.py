@@ -7,7 +7,7 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.replay import Recorder, Replay, Thoughts
-from soccer_env.replay.clips import EVERY, Clips, exact_clip
+from soccer_env.replay.clips import Clips
 from soccer_env.thoughts.thoughts import SEES, TABLE, Notes
 from soccer_env.train.evaluate.recording import shown_memory_fields
 from tests.scenes.staging import play
@@ -102,13 +102,6 @@ def test_a_clip_shows_what_happened(league: str, tmp_path: Path) -> None:
         assert again.check() == len(clip) and again.teams == whole.teams
 
 
-def test_recording_for_clips_changes_nothing() -> None:
-    match, _, _ = clipped("legged-2001", 10.0, (5.0,))
-    plain = Match("legged-2001", home=2, away=2, controllers={"home": "chaser", "away": "chaser"}, minutes=2, seed=3)
-    play(plain, steps=10 * match.league.control_rate)
-    assert plain.state_hash(0) == match.state_hash(0)
-
-
 def test_a_clip_has_the_thoughts_of_its_part() -> None:
     _, whole, ((first, clip),) = clipped("legged-2001", 12.0, (11.0,))
     mine, all_of_it = clip.notes(), whole.notes()
@@ -117,10 +110,3 @@ def test_a_clip_has_the_thoughts_of_its_part() -> None:
     assert np.array_equal(mine.steps + first, all_of_it.steps[inside])
     assert np.array_equal(mine.numbers, all_of_it.numbers[inside])
     assert whole.notes().between(len(whole), len(whole)) == {}  # type: ignore[union-attr]
-
-
-def test_where_no_moment_will_do_a_clip_begins_with_the_recording() -> None:
-    _, whole, _ = clipped("legged-2001", 4.0, ())
-    first, clip = exact_clip(whole, [(16, whole.start)], 32)  # records of another moment
-    assert (first, len(clip)) == (0, 32) and clip.check() == 32
-    assert EVERY <= BEFORE

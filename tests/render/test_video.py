@@ -9,9 +9,8 @@ import numpy as np
 import pytest
 
 from soccer_env import Match, shows
-from soccer_env.render import video
 from soccer_env.replay import Recorder, Replay
-from soccer_env.shows.film import drawn_steps, film_frames, widest_picture
+from soccer_env.shows.film import drawn_steps
 from soccer_env.shows.film_settings import FilmSettings
 
 pytest.importorskip("pygame")
@@ -34,13 +33,6 @@ def test_an_mp4_has_as_many_frames_as_its_length_asks_for(replay: Replay, tmp_pa
     assert [file.name for file in tmp_path.iterdir()] == ["a.mp4"]
 
 
-def test_a_gif_shows_real_time_in_hundredths_of_a_second(replay: Replay, tmp_path: Path) -> None:
-    image = pytest.importorskip("PIL.Image")
-    with image.open(shows.video(replay, tmp_path / "a.gif", width=240, speed=2.0)) as film:
-        assert film.n_frames == 8  # 1.2 s in 0.6, each 0.08 s
-        assert film.info["duration"] == 80 and film.info["loop"] == 0
-
-
 def test_speed_and_the_part_that_is_shown_choose_the_steps() -> None:
     settings = FilmSettings(speed=4.0, start=1.0, seconds=2.0)
     steps, fps = drawn_steps(settings, ".mp4", 50, 500)
@@ -49,23 +41,6 @@ def test_speed_and_the_part_that_is_shown_choose_the_steps() -> None:
     assert fps == 4.0 and slow.tolist() == [0, 1, 2, 3, 4]
     with pytest.raises(ValueError, match="start must be at most 10, the length of the replay in seconds, got 11"):
         drawn_steps(FilmSettings(start=11.0), ".mp4", 50, 500)
-
-
-@pytest.mark.parametrize("league", ["legged-2001", "middle-size-2006"])
-def test_a_film_of_1080p_has_the_largest_picture_that_fits(league: str) -> None:
-    match = Match(league, home=1, away=1, controllers={"home": "chaser", "away": "still"}, seed=3)
-    recorder = Recorder(match)
-    match.step()
-    replay = recorder.stop()
-    frame = shows.frame(replay, width=1920, height=1080)
-    assert frame.shape == (1080, 1920, 3)
-    wide = widest_picture(match.league, 1920, 1080)
-    own = shows.frame(replay, width=wide)
-    left, top = (1920 - wide) // 2, (1080 - len(own)) // 2
-    assert wide < 1920 and 0 <= top < 2 and np.array_equal(frame[top : top + len(own), left : left + wide], own)
-    if league == "middle-size-2006":
-        with pytest.raises(ValueError, match="a picture of middle-size-2006 does not fit into a height of 240 pixels"):
-            film_frames(replay, FilmSettings(height=240), ".png")
 
 
 def test_a_file_that_exists_is_not_written_over(replay: Replay, tmp_path: Path) -> None:
@@ -107,17 +82,6 @@ def test_a_missing_extra_is_named(replay: Replay, tmp_path: Path, ending: str, m
         shows.video(replay, tmp_path / f"a{ending}")
     with pytest.raises(ValueError, match=r"must end with .mp4 or .gif, got '.*a.avi'"):
         shows.video(replay, tmp_path / "a.avi")
-
-
-def test_a_gif_has_every_colour_of_the_pictures(tmp_path: Path) -> None:
-    image = pytest.importorskip("PIL.Image")
-    grey, amber = np.full((64, 64, 3), 120, np.uint8), np.zeros((64, 64, 3), np.uint8)
-    amber[:] = (255, 190, 40)
-    with image.open(video.write_video(tmp_path / "a.gif", iter([grey, amber]), 10.0, 2)) as film:
-        film.seek(1)
-        assert np.abs(np.asarray(film.convert("RGB"))[32, 32].astype(int) - (255, 190, 40)).max() <= 8
-    with pytest.raises(ValueError, match="at most 1500 frames, this one would have 1501: write an MP4"):
-        video.write_video(tmp_path / "b.gif", iter(()), 12.5, 1501)
 
 
 def test_a_replay_is_exported_by_the_command(replay: Replay, tmp_path: Path, soccer: Any) -> None:

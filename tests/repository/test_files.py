@@ -69,11 +69,6 @@ def test_a_package_says_what_is_in_its_folder(folder: Path) -> None:
     assert len(rows) == len(set(rows))
 
 
-def test_rows_of_a_map_are_told_from_prose() -> None:
-    text = "Things.\n\n    one.py    it, as two.py has it       three.py   more\n    four/     beside five/\n"
-    assert ENTRY.findall(text) == ["one.py", "three.py", "four/"]
-
-
 def is_kernel(node: ast.AST) -> bool:
     if not isinstance(node, ast.FunctionDef):
         return False
@@ -98,10 +93,3 @@ def explained(tree: ast.Module) -> set[str]:
 def test_a_file_explains_the_letters_that_it_uses_and_no_others(file: Path) -> None:
     tree = ast.parse(file.read_text(encoding="utf-8"))
     assert explained(tree) == letters_of(tree)
-
-
-def test_letters_are_found_where_kernels_use_them() -> None:
-    source = '"""`k`: x."""\n@inlined\ndef f(robot, k):\n    s = 1\n\ndef g(w):\n    play = w\n'
-    assert letters_of(ast.parse(source)) == letters_of(ast.parse(source.replace("inlined", "compiled")))
-    assert letters_of(ast.parse(source)) == {"k", "s"}
-    assert explained(ast.parse(source)) == {"k"}

@@ -165,10 +165,3 @@ def test_outputs_are_texts_and_pictures_and_stay_while_the_code_does(tmp_path: P
         changed = notebooks.notebook_of(page.replace(old, new))
         notebooks.keep_outputs(changed, notebook)
         assert [bool(cell.outputs) for cell in notebooks.code_cells(changed)] == [stay, stay]
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("block", ["python\n1 / 0", "bash\nfalse\ntrue"])
-def test_a_cell_that_fails_is_an_error(block: str, tmp_path: Path) -> None:
-    with pytest.raises(nbclient.exceptions.CellExecutionError):
-        notebooks.run(notebooks.notebook_of(f"```{block}\n```\n"), tmp_path)

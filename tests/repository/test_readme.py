@@ -263,19 +263,6 @@ def test_blocks_and_commands_are_found() -> None:
     assert example.text.startswith("from dataclasses")
 
 
-def test_a_failing_example_fails_at_its_line(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    (example,) = blocks(EXAMPLE, "python")
-    with pytest.raises(AssertionError, match="wrong") as failure:
-        run_block(example, "readme_example", tmp_path, monkeypatch)
-    assert failure.traceback[-1].lineno == 16  # counted from 0: line 17 of the text above
-
-
-def test_links_and_headings_are_found() -> None:
-    page = "# A `b` c!\n[one](two.md#a-b-c) ![three](four.png)\n`[five](six)`\n```\n[seven](eight)\n```\n"
-    assert links(page) == ["two.md#a-b-c", "four.png"]
-    assert anchors(page) == {"a-b-c"}
-
-
 @pytest.mark.parametrize("page", LISTS)
 def test_what_ships_is_named_on_its_page(page: str) -> None:
     named = set(re.findall(r"`([\w-]+)`", TEXTS[page]))

@@ -187,22 +187,12 @@ TAKEN = "test_ball.py::test_the_smaller_range_is_taken"
 @pytest.mark.parametrize(("row", "complaint"), [
     (f"MS11 | soccer_env.belief.ball.nothing | tests/belief/{TAKEN} |", "no function"),
     (f"MS11 | soccer_env.belief.ball | tests/belief/{TAKEN} |", "no function"),
-    (f"MS11 | os.path.join | tests/belief/{TAKEN} |", "no function"),
-    (f"MS11 | | tests/belief/{TAKEN} |", "no function"),
     ("MS11 | soccer_env.belief.ball.other | tests/belief/test_ball.py::test_nothing |", "does not name it"),
     ("MS11 | soccer_env.belief.ball.closer | tests/belief/test_ball.py::test_nothing |", "does not name it"),
     ("MS11 | soccer_env.belief.ball.closer | tests/belief/test_ball.py::test_absent |", "no test"),
-    ("MS11 | soccer_env.belief.ball.closer | tests/belief/test_absent.py::test_nothing |", "no test"),
     ("MS11 | soccer_env.belief.ball.closer | tests/belief/test_ball.py |", "no test"),
-    ("MS11 | soccer_env.belief.ball.closer | tests/belief/test_ball.py::helper |", "no test"),
     ("MS57 | soccer_env.belief.ball.closer | tests/belief/test_ball.py::test_nothing |", "is no mechanism"),
     ("MS11 | soccer_env.belief.ball.closer |", "not a row"),
 ])  # fmt: skip
 def test_a_wrong_row_is_found(tmp_path: Path, row: str, complaint: str) -> None:
     assert complaint in "\n".join(problems_of(checkout_with(tmp_path, [*GOOD_ROWS, f"| {row}"])))
-
-
-def test_a_missing_table_is_found(tmp_path: Path) -> None:
-    checkout_with(tmp_path, GOOD_ROWS)
-    (tmp_path / TABLE).write_text("# References\n", encoding="utf-8")
-    assert "no table | id | function | test |" in problems_of(tmp_path)

@@ -1,6 +1,5 @@
 """The site: every public name has a place in its reference, and it builds strictly from the pages where they lie."""
 
-import inspect
 import json
 import os
 import re
@@ -99,13 +98,6 @@ def test_fields_have_their_units_defaults_and_meanings(read: Any) -> None:
     assert "| `max_cycles` | `int | None` | `None` | steps until an episode is truncated; None: never |" in settings
 
 
-def test_functions_are_shown_as_they_are_called(read: Any) -> None:
-    shown = [one.name for one in read["soccer_v0.parallel_env"].parameters]
-    assert sorted(shown) == sorted(inspect.signature(soccer_env.soccer_v0.parallel_env).parameters)
-    shown = [one.name for one in read["match.Match.__init__"].parameters]
-    assert shown[:2] == ["self", "league"] and "autoreset" in shown
-
-
 @pytest.mark.parametrize("league", ["legged-2001", "middle-size-2006"])
 def test_every_entry_of_every_observation_stands_in_the_catalogue_in_numbers(site: Site, league: str) -> None:
     found = site("pages.catalogue").pages()[f"catalogue/observations-{league}.md"]
@@ -157,15 +149,6 @@ def test_every_option_of_every_command_stands_on_the_page_of_commands(site: Site
         assert [flag for flag, meaning in rows if not meaning.strip()] == [], name
         flags = flags_of(kinds[name], pairs=False)
         assert [flag for flag in flags if f"| `{flag}` |" not in part] == [], name
-
-
-def test_every_example_is_a_page_with_its_code(site: Site) -> None:
-    pages = site("pages.examples").pages()
-    for file in (ROOT / "train/examples").glob("[a-z]*.py"):
-        shown = pages[f"examples/{file.stem}.md"]
-        code = shown.rsplit("```python\n", 1)[1].removesuffix("\n```\n")
-        assert file.read_text(encoding="utf-8").rstrip().endswith(code)
-        assert f"({file.stem}.md)" in pages["examples/index.md"]
 
 
 def test_a_page_that_has_a_notebook_stands_there_with_its_outputs(site: Site) -> None:

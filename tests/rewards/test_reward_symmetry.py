@@ -175,14 +175,6 @@ def ball_x(match: Match) -> np.ndarray:
     return np.repeat(match.balls["x"][:, None] + 5.0, len(match.agents), axis=1)
 
 
-def test_events_and_costs_of_ones_own_have_weights() -> None:
-    extra = {"plain": one, "event": OwnTerm(one, "event", 0.5), "cost": OwnTerm(one, "cost", 0.25)}
-    match = Match(home=1, away=1, seed=1, rewards=replace(NOTHING, extra=extra))
-    match.step(np.zeros((1, 2, 4)))
-    assert match.terms[0, :, -3:].tolist() == [[1.0, 0.5, -0.25]] * 2
-    assert match.rewards[0].tolist() == [1.25, 1.25] and match.term_names[-3:] == ["plain", "event", "cost"]
-
-
 @pytest.mark.parametrize("repeat", [1, 4])
 def test_a_potential_of_ones_own_telescopes_over_an_episode_and_is_0_at_its_end(repeat: int) -> None:
     gamma, weight = 0.9, 2.0

@@ -5,7 +5,7 @@ import pytest
 
 from soccer_env.random_numbers import seeds_for
 from soccer_env.statistics.counting import count_calls, count_step, is_notable
-from soccer_env.statistics.figures import FIGURES, flatten_statistics, spell_quantile, statistics_by_name
+from soccer_env.statistics.figures import FIGURES, flatten_statistics, statistics_by_name
 from soccer_env.statistics.players import count_player
 from soccer_env.statistics.records import BINS, BINS_PER_OCTAVE, FRESH, SHORTEST
 from soccer_env.types import AWAY, HOME, NO_TEAM, Phase
@@ -154,16 +154,6 @@ def test_a_new_episode_begins_with_nothing_counted_and_the_last_one_is_kept() ->
     play(match, steps=round(12.0 * match.league.control_rate))
     assert match.final["statistics"]["played"] == pytest.approx(12.0)
     assert match.statistics.tobytes() == np.full(2, FRESH).tobytes()
-
-
-def test_lengths_of_spells_are_found_to_the_width_of_a_bin() -> None:
-    rng = np.random.default_rng(0)
-    lengths = np.exp(rng.normal(0.5, 1.0, 5000)).clip(SHORTEST)
-    places = np.minimum(BINS_PER_OCTAVE * np.log2(lengths / SHORTEST), BINS - 1).astype(int)
-    counts = np.bincount(places, minlength=BINS)
-    for share in (0.5, 0.9):
-        assert float(spell_quantile(counts, share)) == pytest.approx(np.quantile(lengths, share), rel=0.13)
-    assert float(spell_quantile(np.zeros(BINS, int), 0.5)) == 0.0
 
 
 def test_a_team_sees_its_own_numbers_as_for_and_its_opponents_as_against(played) -> None:

@@ -45,40 +45,6 @@ def test_a_ball_kicked_to_a_mate_is_a_pass_to_an_opponent_intercepted_and_handed
     assert (passes(scene), passes(scene, opponents=True), scene.of("shots")) == (ours, theirs, 0)
 
 
-@each_case
-@pytest.mark.parametrize("stopper", [0, 1])
-def test_a_shot_that_the_goalkeeper_stops_is_saved_and_no_pass_and_one_that_a_field_player_stops_is_not(
-    team, half, stopper
-):
-    scene = Scene(LEGGED, team, half, players=2)
-    scene.feed(scene.row(1), scene.line - 0.9, 0.0)
-    scene.put(scene.row(stopper, opponent=True), scene.line - 0.15, 0.0, np.pi)
-    scene.begin()
-    scene.kick(scene.row(1), seconds=3.0)
-    assert [scene.of(what) for what in ("shots", "on_target")] == [1, 1]
-    saves = [0, 0]
-    saves[1 - team] = int(stopper == 0)
-    assert scene.match.statistics["saves"][0].tolist() == saves and scene.match.statistics["goals"].sum() == 0
-    assert stopper == 1 or passes(scene) == passes(scene, opponents=True) == [0, 0, 0]
-
-
-@pytest.mark.parametrize(("name", "pace", "way", "shots"), [
-    (LEGGED, 8.0, 0.4, 1), (LEGGED, 3.0, 0.15, 0), (MIDDLE, 1.3, 1.5, 1), (MIDDLE, 0.8, 1.5, 0),
-])  # fmt: skip
-def test_a_ball_knocked_away_as_by_a_kick_is_a_shot_and_one_that_is_dribbled_is_not(name, pace, way, shots):
-    scene = Scene(name, 0, 0)
-    league = scene.match.league
-    scene.put(scene.row(), scene.line - way - league.body.front - league.ball.radius - 0.002, 0.0)
-    scene.ball(scene.line - way, 0.0)
-    scene.begin()
-    assert scene.of("touches") == 1
-    scene.ball(scene.line - way, 0.0, vx=pace * league.drive.forward)
-    scene.match.rebuild()
-    scene.play(round(1.5 * league.control_rate))
-    assert scene.of("goals").sum() == 1 and scene.of("shots") == shots
-    assert scene.of("kicks") == 0
-
-
 @each_league
 def test_a_ball_goes_in_just_where_it_is_on_target(name):
     """400 balls, sliding or rolling, from anywhere, against the physics; those that only just do or do not are left."""

@@ -4,7 +4,7 @@ Each row of a claims.json carries a hash of the claim's question, a hash of the 
 world, versions and machine in which they were measured. Rows of another world are not replayed: the pages name it.
 Versions of numpy and numba do not count: all rows of 2026-11-27 were measured with others than the lock file's, on a
 processor of another make, and gave the same samples.
-`make tables-check` replays all rows, a test those of a short batch.
+`make tables-check` and a test of each claim replay all rows.
 """
 
 import hashlib

@@ -8,7 +8,7 @@ from typing import Annotated, Any
 
 import tyro
 
-from soccer_env.agents.trained_with import senses_of_run
+from soccer_env.agents.trained_with import IDEAL, known_senses
 from soccer_env.guards.names import unknown
 from soccer_env.leagues import find_league
 from soccer_env.leagues.league import League
@@ -146,7 +146,8 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
     @property
     def own_senses(self) -> dict[str, Any]:
         """Return the fields of `Policy` that record the senses and pose used in training."""
-        return senses_of_run({"senses": split_senses(self.senses)[0], "pose": self.pose})
+        senses, _ = split_senses(self.senses)
+        return known_senses(senses, None if senses == IDEAL else self.pose)  # ideal senses need no pose
 
     @property
     def hidden_sizes(self) -> tuple[int, ...]:

@@ -8,13 +8,12 @@ import numpy as np
 import pytest
 
 from soccer_env import Match
-from soccer_env.baselines.heinemann_2006 import playing
 from soccer_env.baselines.heinemann_2006.memory import ATTACKER, KEEPER, MEMORY, SCRATCH
-from soccer_env.baselines.heinemann_2006.playing import DETOUR, LEAST_RADIUS, PATIENCE, STAYS, hear, note_standing
+from soccer_env.baselines.heinemann_2006.playing import hear
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
 from soccer_env.records.beliefs import SITUATION
-from soccer_env.types import COMMAND, Phase
+from soccer_env.types import Phase
 from tests.baselines.heinemann_2006.test_goalkeeper import settings
 from tests.scenes.staging import MIDDLE, record_each_step
 
@@ -174,26 +173,3 @@ def test_no_field_player_stands_still_for_long_whose_place_is_out_of_reach_or_wh
     home, made = BLOCKED[scene]
     most = longest_stands(made(), home, 25.0)
     assert (most > LONGEST).sum() <= 1  # in one match of twelve it may take two detours
-
-
-def test_who_stands_away_from_its_place_goes_round_the_ball_after_a_while_and_always_to_one_side() -> None:
-    scratch, memory, command = (np.zeros(1, dtype)[0] for dtype in (SCRATCH, MEMORY, COMMAND))
-    sight, told, play = scratch["sight"], scratch["told"], settings()
-    told["phase"], sight["elapsed"], sight["pace"] = int(Phase.PLAY), STEP, 1.0
-    sight["x"], sight["y"], sight["cosine"] = -0.4, -0.3, 1.0
-    steps = round(PATIENCE / STEP)
-    for _ in range(steps - 1):
-        note_standing(told, memory, sight)
-    assert memory["detour"] == 0.0
-    sight["y"], sight["vy"] = -0.3 + 0.9 * STAYS, 1.0  # its wheels spin: only where it believes to be tells it
-    for _ in range(3):
-        note_standing(told, memory, sight)
-    assert memory["detour_side"] == 1.0 and memory["detour"] == pytest.approx(DETOUR, abs=3 * STEP)
-    sight["y"] = -0.3
-    for _ in range(steps + 3):
-        note_standing(told, memory, sight)
-    assert memory["detour"] > 0.0 and memory["detour_side"] == 1.0
-    playing.drive_round_ball(command, memory, K, play, scratch)
-    plan = scratch["plan"][0]
-    assert plan["target"]["x"] == pytest.approx(0.6 * LEAST_RADIUS)
-    assert plan["target"]["y"] == pytest.approx(-0.8 * LEAST_RADIUS)

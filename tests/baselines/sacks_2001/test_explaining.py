@@ -45,19 +45,6 @@ def test_the_field_at_a_place_is_the_force_on_who_stands_there() -> None:
         np.testing.assert_allclose(force, field(standing(*place), place)[0], atol=1e-5)  # of single precision
 
 
-def test_the_goal_pulls_players_push_and_boards_push_inwards() -> None:
-    bare = standing(0.0, 0.0)
-    bare.tracks["present"], bare.belief["obstacle"]["distance"] = 0, 0.0
-    pull, low, high = field(bare, (0.0, 0.0), (0.0, -0.95), (0.0, 0.95))
-    goal = np.array([LEAGUE.pitch.length / 2.0, 0.0])
-    assert pull == pytest.approx(goal / np.linalg.norm(goal), abs=0.02)
-    assert low[1] > 0.05 and low[1] == pytest.approx(-high[1])
-    before, free = field(standing(0.0, 0.0), (PLAYER[0] - 0.35, PLAYER[1]), (0.0, 0.0))
-    assert before[0] < free[0], "a player ahead holds back"
-    near = (0.3, -0.4)
-    assert field(bare, near)[0, 0] - field(standing(0.0, 0.0), near)[0, 0] > 0.01, "so does a near reading"
-
-
 @pytest.mark.parametrize("way", [0.0, pi / 3.0])
 def test_the_way_leads_to_the_ball_or_half_a_metre_along_the_dribble(way: float) -> None:
     mind = standing(0.2, -0.1)

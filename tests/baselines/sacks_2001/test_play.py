@@ -14,7 +14,6 @@ from soccer_env.baselines.sacks_2001.memory import (
     ORBIT,
     PASS,
     ROTATE,
-    SEARCH,
     SHOOT,
     SIDESTEP,
 )
@@ -23,7 +22,7 @@ from soccer_env.leagues import find_league
 from soccer_env.teams import CompiledTeam, TeamRandom, View
 from soccer_env.types import COMMAND, NOISE_STREAMS, Phase
 from tests.scenes.sacks_beliefs import MEMORY_LATERAL, draw_beliefs, draw_tracks
-from tests.scenes.staging import LEGGED, league_without_calls, put_ball, send_off, set_phase
+from tests.scenes.staging import LEGGED
 from tests.scenes.symmetry import mirrored_actions, mirrored_beliefs, mirrored_tracks
 
 BUSY = (APPROACH, BACK, SIDESTEP, ROTATE, ORBIT, DRIBBLE, SHOOT, PASS)  # supporters and goalkeepers may stand
@@ -57,41 +56,6 @@ def test_extreme_settings_give_commands_that_a_robot_can_obey(extreme: dict[str,
         assert np.isfinite(numbers(match)).all()
 
 
-def test_a_robot_without_team_mates_still_goes_for_the_ball() -> None:
-    """All the others of its team are sent off: the last one attacks by itself."""
-    match = Match(LEGGED, matches=16, seed=3, controllers={"home": "sacks-2001", "away": "still"}, minutes=3)
-    match.robots["active"][:, :2] = 0
-    match.robots["x"][:, :2], match.robots["y"][:, :2] = [[-9.0, -9.6]], 9.0
-    match.rebuild()
-    touched = np.zeros(16, bool)
-    while not match.terminated.all():
-        match.step()
-        touched |= match.robot_events["touch"][:, 2] == 1
-    assert touched.all()
-
-
-def test_a_robot_that_never_sees_the_ball_goes_on_searching_all_over_its_half() -> None:
-    """The ball lies out of sight for three minutes: it turns, goes home, turns again, and never stops or blows up.
-
-    The opponent is off the field: legs that hold each other would stop a robot that turns beside him.
-    """
-    teams = {"home": "sacks-2001", "away": "still"}
-    match = Match(league_without_calls(LEGGED), matches=8, home=2, away=1, seed=4, controllers=teams)
-    set_phase(match, Phase.PLAY)
-    put_ball(match, 50.0, 50.0)
-    send_off(match, [2])
-    match.rebuild()
-    turned, searching = np.zeros((8, 2)), 0.0
-    for _ in range(16 * 180):
-        before = match.robots["heading"][:, :2].copy()
-        match.step()
-        turned += np.abs(np.angle(np.exp(1j * (match.robots["heading"][:, :2] - before))))
-        searching += (match.squads[0].memory["behaviour"] == SEARCH).mean() / (16 * 180)
-    assert np.isfinite(numbers(match)).all()
-    assert searching > 0.6, "what is taken for a ball passes"
-    assert (turned > 4.0 * np.pi).all()
-
-
 @pytest.mark.slow
 def test_no_busy_robot_stands_for_half_a_minute() -> None:
     """Neither a board nor an opponent, nor a ball that it cannot move, holds a player for 30 s of play.
@@ -99,9 +63,9 @@ def test_no_busy_robot_stands_for_half_a_minute() -> None:
     A search or another role in between counts as standing too, unless it lasts.
     """
     teams = {"home": "sacks-2001", "away": "chaser"}
-    match = Match(LEGGED, controllers=teams, matches=24, threads=2, seed=11, minutes=4)
+    match = Match(LEGGED, controllers=teams, matches=12, threads=2, seed=11, minutes=4)
     squad = match.squads[0]
-    since, idle, anchor, longest = np.zeros((24, 3)), np.zeros((24, 3)), np.zeros((2, 24, 3)), 0.0
+    since, idle, anchor, longest = np.zeros((12, 3)), np.zeros((12, 3)), np.zeros((2, 12, 3)), 0.0
     while not match.terminated.all():
         match.step()
         here = np.stack([match.robots["x"][:, squad.players], match.robots["y"][:, squad.players]])
@@ -111,20 +75,6 @@ def test_no_busy_robot_stands_for_half_a_minute() -> None:
         anchor, since = np.where(moved, here, anchor), np.where(moved, 0.0, since + match.league.dt)
         longest = max(longest, since.max())
     assert longest < LONG
-
-
-@pytest.mark.slow
-@pytest.mark.whole
-def test_two_steps_of_strength_win_goals() -> None:
-    """The table of baselines/README.md has every step of 200 matches; here the ends of the ladder, same seeds."""
-    gaps = []
-    for strength in (0.0, 1.0):
-        teams = {"home": f"sacks-2001@{strength}", "away": "chaser"}
-        match = Match(LEGGED, controllers=teams, matches=128, threads=2, seed=5, minutes=4)
-        while not match.terminated.all():
-            match.step()
-        gaps.append((match.matches["score"][:, 0] - match.matches["score"][:, 1]).mean())
-    assert gaps[1] - gaps[0] > 0.1
 
 
 LEAGUE = find_league("legged-2001")

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from soccer_env import Match, make_team
+from soccer_env import Match
 from soccer_env.baselines.sacks_2001.actuators import SWEEP, SWEEP_SHARE, look_around
 from soccer_env.baselines.sacks_2001.ball_notes import AFTER_KICK
 from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK, DRIBBLE, MEMORY, ORBIT, PASS, SEARCH, SHOOT
@@ -189,13 +189,6 @@ def test_a_supporter_stands_behind_the_ball_and_aside_of_it_and_off_lines_and_bo
             across = walk[0] * np.array([np.cos(heading), np.sin(heading)])
             across += walk[1] * np.array([-np.sin(heading), np.cos(heading)])
             assert across @ (dx, dy) / np.hypot(dx, dy) < -0.2, (dx, dy)
-
-
-@pytest.mark.parametrize("name", ["sacks-2001-tuned", "sacks-2001-future"])
-def test_the_variants_are_made_of_settings(name: str) -> None:
-    variant: Any = make_team(name)
-    plain: Any = make_team("sacks-2001")
-    assert variant.name == name and variant.settings.tobytes() != plain.settings.tobytes()
 
 
 def before_a_wall(**settings: Any) -> Mind:

@@ -1,14 +1,14 @@
 """From cell to cell: which is next, how long it takes, and until when obstacles are moved; the search's queue."""
 
-from math import atan2, cos, hypot, inf, nan, pi, sin, sqrt
+from math import atan2, cos, hypot, pi, sin, sqrt
 from typing import Any
 
 import numpy as np
 import pytest
 
 from soccer_env.baselines.weigel_2001.planner import Plan, Planner, PlannerSettings
-from soccer_env.baselines.weigel_2001.planner.planning import length_of, plan_way, smooth
-from soccer_env.baselines.weigel_2001.planner.records import NODE, OBSTACLE, PLAN, POINT, SCRATCH
+from soccer_env.baselines.weigel_2001.planner.planning import length_of, smooth
+from soccer_env.baselines.weigel_2001.planner.records import NODE, POINT, SCRATCH
 from soccer_env.baselines.weigel_2001.planner.searching import pop, push
 from soccer_env.baselines.weigel_2001.planner.stepping import cell_of, next_cell, obstacle_time, step_length, step_time
 from tests.scenes.planning import Scene, at_bearing, cup, random_scene, row
@@ -210,15 +210,3 @@ def test_nothing_stalls_or_throws(form: str, changes: dict[str, Any]) -> None:
         assert plan.path[-1] == pytest.approx(np.clip(target, (-7.0, -5.0), (7.0, 5.0)))
         arrived += plan.arrived
     assert arrived > 45
-
-
-def test_what_is_no_number_neither_stalls_nor_leaves_the_grid() -> None:
-    """`Planner` refuses it; the kernel, which teams call, holds it at the grid's edge or overlooks it."""
-    settings, scratch, plan = PlannerSettings().record(), np.zeros(1, SCRATCH), np.zeros(1, PLAN)
-    others = np.array([(nan, 0.0, 1.0, 0.0, 0.25), (0.5, 0.1, inf, nan, 0.25), (1.0, 0.2, 0.0, 0.0, 0.25)], OBSTACLE)
-    for robot, target in (((nan, 0.0), (2.0, 0.0)), ((0.0, 0.0), (inf, -inf)), ((0.0, 0.0), (2.0, 0.3))):
-        plan_way(*robot, *target, 1, others, settings[0], scratch[0], plan[0])
-        path = plan["path"][0, : plan["count"][0]]
-        assert np.isfinite(path["x"]).all() and np.isfinite(path["y"]).all()
-        assert np.abs(path["x"]).max() <= 7.0 and np.abs(path["y"]).max() <= 5.0
-        assert not scratch["marks"].any() and plan["evaluations"][0] < 4300

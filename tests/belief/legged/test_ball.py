@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 
 from soccer_env.belief.odometry import move_point
-from soccer_env.leagues.legged_sensors import LeggedMemory
 from soccer_env.records.percepts import LEGGED_PERCEPT, POSE_TOLD
 from tests.belief.legged.staged_ball import LEAGUE, Watcher
 
@@ -168,17 +167,6 @@ def test_a_ball_between_the_paws_is_held(x: float, y: float, held: int) -> None:
     for _ in range(8):
         assert robot.miss()["held"] == held
     assert robot.miss()["held"] == 0  # not seen there for half a second
-
-
-def test_no_memory_is_asked_to_do_what_it_cannot() -> None:
-    for message, change in (
-        ("averaged must be 1 to 6, got 7", {"averaged": 7}),
-        ("averaged must be 1 to 6, got 0", {"averaged": 0}),
-        ("velocity_interval must be at most velocity_gap 1.5, got 2.0", {"velocity_interval": 2.0}),
-        ("area_small must be at most area_large 1.0, got 2.0", {"area_large": 1.0}),
-    ):
-        with pytest.raises(ValueError, match=message):
-            LeggedMemory(**change)
 
 
 def draw_stream(frames: int, seed: int) -> Any:

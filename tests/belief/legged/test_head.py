@@ -129,18 +129,6 @@ def test_the_search_sweeps_near_and_far_ground_in_turn_without_a_jump() -> None:
     assert np.ptp(gazes[:, 0]) == pytest.approx(2 * LEAGUE.head.pan_limit, rel=0.05)
 
 
-def test_a_search_that_follows_another_begins_anew_at_the_feet_where_the_ball_was_lost_there() -> None:
-    for side in (1.0, -1.0):
-        pan, tilt = Head(0.2, 0.1 * side, age=1.5, confidence=85.0).gaze()
-        assert tilt == NEAR_TILT and pan == pytest.approx(side * LEAGUE.head.pan_limit)
-    head = Head(0.9, 0.3, age=2.0, confidence=80.0)
-    head.sweep(1.7 * PERIOD)
-    head.believe(0.9, -0.3)
-    head.sweep(0.5)
-    head.believe(0.9, -0.3, age=1.1, confidence=89.0)
-    assert head.gaze()[0] == pytest.approx(-LEAGUE.head.pan_limit)
-
-
 def test_ms07_a_glimpse_of_a_patch_does_not_begin_the_search_again() -> None:
     head, steady = (Head(0.9, 0.3, age=2.0, confidence=80.0) for _ in range(2))
     for one in (head, steady):

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from soccer_env.belief.legged import matching
-from soccer_env.belief.legged.matching import angle_between, inverse_power, match_likelihood, track_uncertainty
+from soccer_env.belief.legged.matching import inverse_power, match_likelihood, track_uncertainty
 from soccer_env.belief.legged.players import age_tracks, remember_player
 from soccer_env.compiled import compiled
 from soccer_env.leagues.constants import constants_of
@@ -84,19 +84,6 @@ def test_ms31_with_the_first_power_an_uncertain_player_far_away_is_replaced() ->
 def test_ms31_the_angle_counts_more_than_the_range() -> None:
     tracks = memory((1.0, 0.0, 1.0), (1.3, 0.25, 1.0))
     assert slot_for(tracks, 1.3, 0.01) == 0 and slot_for(tracks, 1.3, 0.01, angle_power=0.0) == 1
-
-
-def test_nothing_is_nearer_than_a_millimetre_and_a_tenth_of_a_degree_and_angles_are_taken_the_short_way() -> None:
-    track = memory((1.0, 0.0, 0.0))[0]
-    least = 0.5 * matching.LEAST_DISTANCE**-3 / matching.LEAST_ANGLE
-    assert match_likelihood(track, 1.0, 0.0, 0.0, settings()) == pytest.approx(least)
-    own_place = memory((0.0, 0.0, 0.0))[0]
-    assert match_likelihood(own_place, 0.0, 0.0, 0.0, settings(empty_distance=0.0)) < inf
-    assert angle_between(3.0, -3.0) == pytest.approx(2 * pi - 6.0)
-    assert angle_between(0.4, 0.1) == angle_between(0.1, 0.4) == angle_between(-0.1, -0.4)
-    assert angle_between(pi, -pi) == 0.0
-    behind = memory((-1.0, 0.02, 1.0), (-1.0, -0.3, 1.0))
-    assert slot_for(behind, -1.0, -0.02) == 0
 
 
 def test_an_empty_slot_is_used_unless_a_player_in_memory_is_near() -> None:

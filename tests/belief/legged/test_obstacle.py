@@ -13,7 +13,7 @@ from soccer_env.compiled import compiled
 from soccer_env.optics.head_camera import camera_place
 from soccer_env.records.beliefs import BELIEF
 from tests.belief.legged.staged_players import LEAGUE, Onlooker
-from tests.scenes.staging import LEGGED, put, put_ball, send_off, stage
+from tests.scenes.staging import LEGGED, put, put_ball, stage
 from tests.scenes.symmetry import assert_same, mirrored_beliefs, mirrored_percepts
 
 CHEST = 0.105  # [m] ahead of a body's middle
@@ -204,37 +204,6 @@ def test_ms49_a_player_with_its_head_down_that_seems_far_away_is_an_obstacle() -
     assert short.max() < 0.12 and short.min() > -0.05 and short.mean() == pytest.approx(0.067, abs=0.02)
     match, _, _, found = come_near(obstacle=False)
     assert not found.any() and not match.beliefs["obstacle"]["bearing"].any()
-
-
-def test_a_player_that_is_where_its_track_says_is_hardly_ever_an_obstacle() -> None:
-    """Where a range by size errs by half the distance to the surface, the reading stands in for it, rightly."""
-    distance = np.tile(np.linspace(0.35, 0.6, 8), 2)
-    match = facing(16, distance, np.repeat([-0.3, 0.3], 8))
-    count = frames = 0
-    for step, _ in enumerate(stare(match, 2.0, 0.0)):
-        seen = (match.tracks["present"][:, 0] == 1).any(axis=1)
-        assert step < 8 or seen.all()
-        frames += int(seen.sum())
-        count += int((match.beliefs["obstacle"]["distance"][seen, 0] > 0.0).sum())
-    assert count < 0.02 * frames
-
-
-def test_a_lone_robot_takes_neither_ball_nor_boards_nor_carpet_for_somebody() -> None:
-    rng, count = np.random.default_rng(6), 400
-    match = stage(LEGGED, matches=count, observe="belief", sensors=SHARP)
-    put(match, 0, rng.uniform(-0.9, 0.9, count), rng.uniform(-0.8, 0.8, count), rng.uniform(-pi, pi, count))
-    send_off(match, [1])
-    robot, away = match.robots[:, 0], rng.uniform(0.15, 0.5, count)
-    put_ball(match, robot["x"] + away * np.cos(robot["heading"]), robot["y"] + away * np.sin(robot["heading"]))
-    match.robots["placed"] = 1
-    read = 0
-    for _ in range(40):
-        match.robots["pan"][:, 0] = rng.uniform(-1.5, 1.5, count)
-        match.robots["tilt"][:, 0] = rng.uniform(-1, 0.7, count)
-        match.batch.senses.step(0, count)
-        read += int(((match.percepts["infrared"] > 0.0) & (match.percepts["infrared"] < 0.4)).sum())
-        assert not match.beliefs["obstacle"]["distance"].any()
-    assert read > 1000
 
 
 def test_nobody_without_a_ranger_and_nobody_who_knows_the_truth_has_an_obstacle() -> None:

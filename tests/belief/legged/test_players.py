@@ -80,16 +80,6 @@ def reference(robot: Onlooker, blob: staged_players.Blob) -> tuple[float, float]
     return atan2(y, x), hypot(x, y)
 
 
-@pytest.mark.parametrize(("teammates", "opponents"), [(1, 0), (0, 1), (11, 11)])
-def test_any_number_of_slots_will_do(teammates: int, opponents: int) -> None:
-    for slots in ("all", "nearest"):
-        robot = Onlooker(teammates, opponents, slots=slots)
-        for _ in range(3):
-            robot.look([robot.show(*AHEAD)], [robot.show(*RIGHT)], forward=0.01, turn=0.1)
-        assert len(places(robot.opponents)) == min(opponents, 1)
-        assert len(places(robot.teammates)) == min(teammates, 1)
-
-
 @pytest.mark.parametrize(("pan", "tilt"), [(0.0, 0.0), (0.7, -0.3), (-1.5, 0.4)])
 def test_a_player_lies_where_head_and_pixel_point_at_the_range_of_its_height(pan: float, tilt: float) -> None:
     robot = Onlooker()

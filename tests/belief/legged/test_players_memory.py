@@ -98,23 +98,6 @@ def test_one_player_alone_leaves_the_other_slots_empty_under_the_final_rule_alon
     assert used == {(1.0, 0.0): 3, (3.0, 1.0): 1}
 
 
-def test_eleven_robots_in_one_bearing_are_one_player_and_one_in_the_same_place_breaks_nothing() -> None:
-    robot = Onlooker(11, 11)
-    row = [robot.show(x, 0.0) for x in np.linspace(0.5, 2.5, 11)]
-    for _ in range(40):
-        robot.look(row[:4], row[4:8], infrared=0.25)
-    assert (robot.memories["opponents"][0], robot.memories["teammates"][0]) == (1, 1)
-    assert len(places(robot.tracks[0])) == 2 and finite(robot)
-    robot = Onlooker()
-    robot.tables["player_front"] = 0.0
-    robot.pan = pi
-    for _ in range(20):
-        robot.look([full_blob(0.0, 0.0, 40)], [full_blob(1.0, 1.0, 40)])
-    robot.look(forward=float(robot.tracks["x"][0, 0]), left=float(robot.tracks["y"][0, 0]))
-    robot.look([full_blob(0.0, 0.0, 40)])
-    assert finite(robot)
-
-
 @pytest.mark.parametrize("mode", ["largest", "combined"])
 @pytest.mark.parametrize("slots", ["all", "nearest"])
 def test_blobs_of_no_size_or_of_the_whole_picture_break_nothing(mode: str, slots: str) -> None:

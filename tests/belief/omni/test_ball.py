@@ -178,14 +178,3 @@ def test_the_light_barrier_tells_of_the_ball_that_the_body_hides_and_ones_own_ki
     play(match, 0.02, robot_actions(match, 0, kick=0.5))
     play(match, 0.2)
     assert np.median(ball_errors(match)[1]) < 0.8
-
-
-def test_a_light_barrier_that_errs_moves_no_ball() -> None:
-    match = thinking_matches(20, sensors={"barrier_miss": 0.02}, ball=(4.0, 0.0))
-    unseen, trusted = thinking_matches(20, sensors={"barrier_miss": 0.02, "ball_miss": 1.0}), []
-    for _ in range(100):
-        match.step(stand(match))
-        unseen.step(stand(unseen))
-        assert ball_errors(match)[0].max() < 0.5
-        trusted.append(unseen.beliefs["ball"]["confidence"][:, 0] > 0.0)
-    assert np.mean(trusted) < 0.1

@@ -1,25 +1,20 @@
 """The players that a middle-size robot tracks: who is who, how they move, when they are forgotten."""
 
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
 
 from soccer_env import Match
-from soccer_env.belief.omni.ball import BALL_MEMORY
-from soccer_env.belief.omni.believe import OMNI_MEMORY
 from soccer_env.belief.omni.players import READING, update_team_tracks
 from soccer_env.belief.omni.tracking import FILTER
 from soccer_env.compiled import compiled
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
-from soccer_env.leagues.league import Slots
-from soccer_env.match.staging import begin_scene
 from soccer_env.records.beliefs import TRACK
 from soccer_env.records.percepts import OMNI_PERCEPT
 from tests.belief.omni.staged_omni import state, states_in_frame, thinking_matches
-from tests.scenes.staging import MIDDLE, place, play, put, robot_actions, scatter, set_phase
+from tests.scenes.staging import MIDDLE, place, play, robot_actions
 
 MATES = find_league(MIDDLE).slots.teammates
 BOTH = pytest.mark.parametrize("name", ["kalman", "least-squares"])
@@ -149,29 +144,3 @@ def test_a_player_that_jumps_within_the_gate_is_believed_after_readings_in_a_row
     play(match, 0.02)
     found = tracks_of(match, False)
     assert (found["y"][:, 0] > 0.6).all() and (found["present"].sum(axis=1) == 1).all()
-
-
-@pytest.mark.parametrize("slots", [Slots(teammates=0, opponents=3), Slots(teammates=11, opponents=11)])
-def test_any_number_of_slots_will_do(slots: Slots) -> None:
-    league = replace(find_league(MIDDLE), slots=slots)
-    match = Match(league, home=11, away=11, matches=3, seed=2, observe="belief")
-    set_phase(match, 0)
-    scatter(match, np.random.default_rng(4))
-    begin_scene(match)
-    play(match, 0.3)
-    assert match.tracks.shape[2] == slots.teammates + slots.opponents
-    assert all(np.isfinite(match.tracks[name]).all() for name in TRACK.names)
-    assert match.tracks["present"].sum(axis=2).mean() > 2.5
-
-
-def test_the_memory_of_a_robot_is_small_and_standing_in_a_crowd_breaks_nothing() -> None:
-    assert OMNI_MEMORY.itemsize - OMNI_MEMORY["pose"].itemsize <= 768 and BALL_MEMORY.itemsize <= 128
-    match = thinking_matches(2, 11, 11)
-    for r in range(22):
-        put(match, r, 0.0, 0.0)
-    for m in range(2):
-        match.batch.senses.start(m)
-    for _ in range(60):
-        match.batch.senses.step(0, 2)
-        match.matches["step"] += 1
-    assert all(np.isfinite(match.tracks[name]).all() for name in TRACK.names)

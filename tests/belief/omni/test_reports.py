@@ -171,28 +171,6 @@ def test_the_most_confident_team_mate_is_believed_then_the_nearest_to_the_ball(a
     assert radio.ball_of(0) == pytest.approx([1.0, -1.5])
 
 
-def test_a_robot_mistakes_the_ball_by_its_own_place_and_two_who_do_not_see_it_do_not_keep_it_alive() -> None:
-    radio = Radio()
-    radio.track_ball(1, 2.0, 0.5)
-    radio.stand(0, -2.0 + 0.4, 0.5, 0.3)
-    radio.step(LATE + 1)
-    assert radio.ball_of(0) == pytest.approx([2.0, 0.5])  # on the field as it believes itself to stand
-    ball = radio.beliefs["ball"][0]
-    true = turned(2.0 + 2.0, 0.5 - 0.5, -0.3)
-    assert np.hypot(ball["x"] - true[0], ball["y"] - true[1]) == pytest.approx(0.4)
-    radio = Radio()
-    radio.track_ball(1, 2.0, 0.5)
-    radio.step(10)
-    radio.percepts["body"]["active"][1] = 0
-    for _ in range(600):  # the others adopt it, and report what they believe
-        radio.step()
-        for r in (0, 2):
-            radio.beliefs["ball"]["age"][r] += DT
-            radio.beliefs["ball"]["confidence"][r] = max(radio.beliefs["ball"]["confidence"][r] - 25.0 * DT, 0.0)
-    assert (radio.beliefs["ball"]["confidence"][[0, 2]] == 0.0).all()
-    assert (radio.beliefs["ball"]["age"][[0, 2]] > 5.0).all()
-
-
 def test_a_robot_that_shares_nothing_knows_what_it_sees_alone_and_no_ball_anywhere_is_no_ball() -> None:
     radio = Radio()
     radio.settings["shared"] = 0

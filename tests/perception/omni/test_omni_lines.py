@@ -100,14 +100,6 @@ def test_lines_are_missed_and_misjudged_like_all_things_and_none_is_seen_through
     assert look(match)["lines"][0, 6] == pytest.approx(2.0, abs=0.03)
 
 
-@pytest.mark.parametrize("count", [1, 2, 7, 32])
-def test_there_may_be_1_to_32_directions(count: int) -> None:
-    match = watching_matches(sensors={**SURE, **SHARP, "lines": count})
-    put(match, 0, 2.0, 2.0, np.pi / 2)
-    lines = look(match)["lines"][0]
-    assert lines[0] == pytest.approx(2.0, abs=0.03) and not lines[count:].any()
-
-
 def test_players_are_told_apart_by_their_markers_and_listed_nearest_first() -> None:
     match = watching_matches(200, 2, 3, sensors=SURE)
     for r, (x, y) in {1: (2.0, 1.0), 2: (-1.0, 0.5), 3: (0.5, -3.0), 4: (-4.0, -1.0)}.items():

@@ -97,11 +97,6 @@ def test_the_memory_of_a_match_is_counted_once() -> None:
     assert bench_faces.wrapper_bytes("legged-2001", 2) > 0
 
 
-def test_a_start_that_fails_says_why() -> None:
-    with pytest.raises(RuntimeError, match="no such luck"):
-        bench_faces.process_start_time("raise SystemExit('no such luck')", 1)
-
-
 @pytest.mark.slow
 def test_a_small_bench_ends_in_a_table(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     pytest.importorskip("soccer_env.baselines.chaser")
@@ -228,23 +223,11 @@ def test_what_is_no_checkout_is_refused(tmp_path: Path, soccer: Any) -> None:
         assert complaint in soccer("bench", *words, code=2)
 
 
-def test_a_process_that_dies_is_said(tmp_path: Path) -> None:
-    (tmp_path / "script.py").write_text("raise SystemExit(3)")
-    with pytest.raises(ValueError, match="the process of this checkout ended with 3"):
-        against.compare_checkouts(BenchSettings(against=checkout(tmp_path / "other")), tmp_path / "script.py")
-
-
 @pytest.mark.parametrize("name", worker.ROWS)
 def test_every_row_can_be_timed(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(worker, "WARM_UP", 0.5)
     sample = worker.ROWS[name](2, 3)
     assert 0.0 <= sample() < 5.0 and sample() < 5.0
-
-
-def test_the_rows_know_the_leagues() -> None:
-    from soccer_env.leagues import find_league
-
-    assert {name: find_league(name).control_rate for name in worker.LEAGUES} == worker.LEAGUES
 
 
 def test_the_profile_times_every_stage_and_the_stages_play_as_the_match_does(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-from soccer_env.train.bench import peer_worker, peers, worker
+from soccer_env.train.bench import peers, worker
 from soccer_env.train.bench.settings import BenchSettings
 
 # A worker whose peer needs 8 us a match step, and whose leagues need 2 and 4, with the noise of a busy machine.
@@ -64,13 +64,6 @@ def test_ratios_are_ours_over_theirs_with_their_intervals(script: Path, tmp_path
     assert peers.screen_table(report).row_count == 4
 
 
-def test_rows_are_chosen_by_words(script: Path) -> None:
-    settings = BenchSettings(quick=True, peers=True, rows="legged 512")
-    assert len(peers.compare_peers(settings, (FAST,), script)["rows"]) == 1
-    with pytest.raises(ValueError, match="no row contains '64 at'"):
-        peers.compare_peers(BenchSettings(peers=True, rows="64 at"), (FAST,), script)
-
-
 def test_a_peer_that_cannot_be_timed_is_left_out_with_the_reason(script: Path) -> None:
     given = tuple(peers.Peer(name, name.title(), (), 10.0) for name in ("dies", "odd", "fine"))
     report = peers.compare_peers(BenchSettings(quick=True, peers=True), given, script)
@@ -104,19 +97,6 @@ def test_what_pip_cannot_install_is_left_out_and_tried_again(monkeypatch: pytest
     assert asked[-1][-3:] == ["install", "--no-compile", "fast==1.0"]
 
 
-def test_own_rows_and_those_of_every_peer_have_the_names_that_are_asked_for(monkeypatch: pytest.MonkeyPatch) -> None:
-    assert {peer.name for peer in peers.PEERS} == set(peer_worker.PEERS)
-    assert [*peer_worker.rows_of("vmas", [(32, 1)])] == ["vmas 32 1"]
-    rows = peer_worker.rows_of(peers.OWN, [(2, 1), (2, 2)])
-    assert [*rows] == [f"{league} 2 {threads}" for league in worker.LEAGUES for threads in (1, 2)]
-    monkeypatch.setattr(peer_worker, "LEAST", 0.001)
-    assert 0.0 < rows["legged-2001 2 1"]()() < 5.0
-
-
 def test_torch_is_the_version_that_the_makefile_pins() -> None:
     makefile = (Path(__file__).parents[3] / "Makefile").read_text(encoding="utf-8")
     assert f"TORCH := {peers.PEERS[0].requirements[0]}\n" in makefile
-
-
-def test_peers_are_measured_alone(soccer: Any) -> None:
-    assert "give profile or against" in soccer("bench", "--peers", "--profile", code=2)

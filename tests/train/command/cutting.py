@@ -30,7 +30,6 @@ POLL = 0.001  # [s] between two looks at the files
 SOON = 0.005  # [s] after a change of a file
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGKILL)
 PARTS = {  # modules that take long to import: a child has them, and is cut while it works
-    "train": "soccer_env.train.ppo.training",
     "reproduce": "soccer_env.train.papers.reproduction",
     "evaluate": "soccer_env.train.evaluate.evaluation",
     "tournament": "soccer_env.train.tournament.playing",

@@ -1,11 +1,9 @@
 """Commands that are interrupted, ended or killed at any moment go on, and end with the results of undisturbed ones.
 
-All that a run leaves is compared bit for bit, but for the figures of the wall clock: the date at which it began, and
-`seconds` in a training's log, table and report. What a kill leaves of a file that was half written (`.NAME.*.tmp`) is
-left out, and so is the lock.
+All that a run leaves is compared bit for bit, but for the date at which it began, what a kill leaves of a file that was
+half written (`.NAME.*.tmp`), and the lock. A training that is cut: tests/train/ppo/test_train_resume.py.
 """
 
-import json
 import os
 import re
 import subprocess
@@ -19,23 +17,14 @@ from tests.train.command.cutting import visible
 
 ROOT = Path(__file__).parents[3]
 SHORT = "--players 1 --senses ideal --seed 3"
-TRAIN = (
-    "train --players 1v1 --senses ideal --seed 3 --matches 8 --rollout 8 --steps 320 --minutes 0.2 --critic-first 1 "
-    "--opponents still,chaser --past 2 --past-every 1 --evaluate-every 128 --evaluate-matches 2 --evaluate-minutes 0.1 "
-    "--evaluate-against still --out {out}"
-)
 EXPORT = "export {replay} --anew --out {out}"
 COMMANDS = {
     "evaluate": f"evaluate --home chaser --away still --matches 6 --minutes 0.5 {SHORT} --out {{out}}",
     "tournament": f"tournament --teams chaser,still,random --matches 2 --minutes 0.3 {SHORT} --out {{out}}",
-    "train": TRAIN,
-    "reproduce": "reproduce H12 H17 S15 --quick --out {out}",
     "reproduce, in processes": "reproduce H12 H17 S15 --quick --threads 2 --out {out}",
     "record": f"record --home chaser --away chaser --minutes 0.1 {SHORT} --out {{out}}/match.replay",
-    "export a page": f"{EXPORT}/match.html",
     "export a film": f"{EXPORT}/match.gif --fps 5",
     "export a picture": f"{EXPORT}/match.png",
-    "export tables": f"{EXPORT}/match.csv",
     "export a folder": f"{EXPORT}/match.cdf",
 }
 QUICK = ("record", "export a picture")
@@ -55,29 +44,13 @@ def cut(name: str, folder: Path, cuts: int, seed: int) -> list[list[str]]:
 
 
 def contents(folder: Path) -> dict[str, Any]:
-    """Return what a run has left, by the names of its files: text and bytes without dates, lines in order.
-
-    Checkpoints are left out: they fall when the clock says so.
-    """
-    kept = {path: data for path, data in visible(folder).items() if path.suffix != ".pt" and path.name != "latest.json"}
-    return {str(path): content(folder / path, folder, data) for path, data in kept.items()}
+    """Return what a run has left, by the names of its files: text and bytes without dates, lines in order."""
+    return {str(path): content(path, folder, data) for path, data in visible(folder).items()}
 
 
 def content(path: Path, folder: Path, data: bytes) -> Any:
     data = re.sub(rb"\b20\d\d-\d\d-\d\d\b", b"DATE", data.replace(str(folder).encode(), b"FOLDER"))
-    if path.name == "log.jsonl":
-        return [{**json.loads(line), "seconds": None} for line in data.splitlines()]
-    if path.name == "progress.csv":
-        return columns(data.decode())
-    if path.name == "report.html":
-        return re.sub(rb"(<td>(?:matches|networks|update|checkpoint|evaluation)</td><td[^>]*>)[0-9.]+", rb"\1", data)
     return sorted(set(data.splitlines())) if path.suffix == ".jsonl" else data
-
-
-def columns(table: str) -> list[list[str]]:
-    rows = [line.split(",") for line in table.splitlines()]
-    kept = [index for index, name in enumerate(rows[0]) if not name.startswith("seconds")]
-    return [[row[index] for index in kept] for row in rows]
 
 
 def check(name: str, folder: Path, cuts: int, seed: int) -> None:

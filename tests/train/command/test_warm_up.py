@@ -110,18 +110,6 @@ def test_with_an_empty_cache_one_process_runs_beside_and_ends_with_the_block(
     assert started[0].killed
 
 
-@if_compiled
-def test_none_is_started_where_it_would_not_help(started: list[Started], monkeypatch: pytest.MonkeyPatch) -> None:
-    compiling_beside.compile_step()
-    with compile_step_beside():
-        pass
-    monkeypatch.setattr(compiling_beside, "is_cached", lambda function: False)
-    monkeypatch.setattr(compiling_beside, "count_cores", lambda: 1)
-    with compile_step_beside():
-        pass
-    assert started == []
-
-
 @compiled
 def one_more(x):  # type: ignore[no-untyped-def]
     return x + 1.0
@@ -140,18 +128,6 @@ def clock(monkeypatch: pytest.MonkeyPatch) -> list[float]:
     now = [100.0]
     monkeypatch.setattr(progress.time, "monotonic", lambda: now[0])
     return now
-
-
-def test_without_a_terminal_a_plain_line_appears_now_and_then(clock: list[float], capsys: Any) -> None:
-    with Progress("reproduce", 40.0) as work:
-        work.note("S05, 0 of 2 done")
-        for _ in range(40):
-            clock[0] += 1.0
-            work.advance(1.0)
-    said = [
-        f"reproduce: {100 * done / 40:.0f} %, S05, 0 of 2 done, {40 - done:.0f} s left" for done in (EVERY, 2 * EVERY)
-    ]
-    assert capsys.readouterr().err.splitlines() == said
 
 
 def test_short_work_and_no_work_say_nothing(clock: list[float], capsys: pytest.CaptureFixture[str]) -> None:

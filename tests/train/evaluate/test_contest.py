@@ -21,24 +21,6 @@ def test_batches_hold_every_match_that_is_left_once(pairs: int, threads: int, do
     assert all(1 <= len(batch) <= contest.BATCH and len({match % 2 for match in batch}) == 1 for batch in found)
 
 
-@pytest.mark.parametrize(
-    ("matches", "threads", "sizes"),
-    [(20, 2, [10] * 2), (20, 1, [10] * 2), (200, 2, [25] * 8), (20, 16, [2] * 10), (2, 8, [1, 1]), (68, 2, [17] * 4)],
-)
-def test_batches_are_equal_and_enough_for_all_threads(matches: int, threads: int, sizes: list[int]) -> None:
-    assert [len(batch) for batch in contest.batches(matches, set(), threads)] == sizes
-
-
-@given(pairs=st.integers(1, 200), count=st.integers(1, 500))
-def test_split_batches_keep_their_order_and_are_enough(pairs: int, count: int) -> None:
-    whole = list(contest.batches(2 * pairs, set(), 1))
-    found = list(contest.split_batches(whole, count))
-    assert [match for block in found for match in block] == [match for batch in whole for match in batch]
-    assert all(len({match % 2 for match in block}) == 1 for block in found)
-    assert len(found) >= min(count, len(whole)) and (count <= len(whole)) <= (found == whole)
-    assert count < 4 * pairs or len(found) == 2 * pairs
-
-
 class Alone:
     """A team that notices if two threads call it at once."""
 

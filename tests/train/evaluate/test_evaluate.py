@@ -49,12 +49,6 @@ def test_the_result_does_not_depend_on_threads_or_batches(league: str, monkeypat
     assert len({line.state for line in one.lines}) == 10
 
 
-def test_another_seed_gives_other_matches_and_more_matches_begin_with_the_same_pairs() -> None:
-    states = [line.state for line in short().lines]
-    assert set(states).isdisjoint(line.state for line in short(seed=6).lines)
-    assert [line.state for line in short(matches=4).lines] == states[:4]
-
-
 def test_matches_are_added_to_a_finished_evaluation(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     played: list[int] = []
     play = module.play

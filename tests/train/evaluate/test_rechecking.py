@@ -99,15 +99,6 @@ def test_lines_that_were_taken_away_are_missed(folder: Path, soccer: Any) -> Non
     assert "result.json: all of it, as 2 of its 6 matches have no line, does not follow" in printed
 
 
-def test_a_result_of_before_the_evaluation_grew_follows_from_its_lines(folder: Path) -> None:
-    earlier = (folder / "result.json").read_bytes()
-    evaluate(EvaluateSettings(**{**SHORT, "matches": 8}, out=folder))
-    (folder / "result.json").write_bytes(earlier)
-    lines = (folder / "matches.jsonl").read_bytes().splitlines(keepends=True)
-    (folder / "matches.jsonl").write_bytes(b"".join(lines[:7]))
-    assert recheck(folder, pairs="all").agrees
-
-
 def test_the_draw_follows_from_its_seed_and_else_from_nothing_known(folder: Path) -> None:
     pairs = list(range(100))
     assert rechecking.sample(pairs, 5, 1) == rechecking.sample(pairs, 5, 1) != rechecking.sample(pairs, 5, 2)

@@ -34,13 +34,6 @@ def test_a_file_that_is_no_replay_is_refused_in_one_line(tmp_path: Path, soccer:
     soccer("replay", tmp_path / "missing", code=2)
 
 
-def test_a_place_that_cannot_be_written_is_refused_first(tmp_path: Path, monkeypatch: MonkeyPatch, soccer: Any) -> None:
-    monkeypatch.setattr("soccer_env.train.evaluate.recording.start_match", lambda settings: pytest.fail("it played"))
-    (tmp_path / "file").write_bytes(b"")
-    assert "is a folder" in soccer("record", "--out", tmp_path, code=2)
-    assert "its folder cannot be made" in soccer("record", "--out", tmp_path / "file" / "a.replay", code=2)
-
-
 def test_a_replay_that_cannot_be_written_leaves_nothing_behind(tmp_path: Path) -> None:
     settings = RecordSettings(minutes=0.01, players=1, out=tmp_path / "a.replay")
     replay = record(settings)
@@ -70,16 +63,6 @@ def test_a_scene_is_recorded_as_it_is_meant(words: str, said: str, tmp_path: Pat
     assert picture.exists()
 
 
-def test_a_drill_is_played_by_those_whom_it_is_meant_for(tmp_path: Path) -> None:
-    replay = record(RecordSettings(scene="mover-and-still", home="still", out=tmp_path / "a.replay"))
-    assert replay.settings["teams"] == {"home_0": "still", "away_0": "still", "away_1": "walker@0.5"}
-    replay = record(RecordSettings(scene="mover-and-still", home="still", players="1v3", out=tmp_path / "a.replay"))
-    assert list(replay.settings["teams"].values()) == ["still", "still", "still", "walker@0.5"]
-    replay = record(RecordSettings(scene="shot-at-keeper", out=tmp_path / "a.replay"))
-    assert list(replay.settings["teams"].values()) == ["still", "chaser", "chaser"]
-    assert replay.settings["scene"]["success"] == "away saves"
-
-
 @pytest.mark.parametrize(
     ("words", "message"),
     [
@@ -105,12 +88,6 @@ def test_a_drill_of_ones_own_without_an_end_is_refused(tmp_path: Path, monkeypat
     (tmp_path / "endless_drills.py").write_text(text)
     with pytest.raises(ValueError, match="might never end"):
         start_match(RecordSettings(scene="endless_drills:ENDLESS"))
-
-
-@pytest.mark.parametrize("words", ["--scene shot-at-keeper --away still --speed 100", "--minutes 0.02 --speed 50"])
-def test_a_drill_or_match_can_be_watched_to_its_end(words: str, monkeypatch: MonkeyPatch) -> None:
-    monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
-    assert main(["watch", *words.split(), "--width", "320"]) == 0
 
 
 SHORT: dict[str, Any] = {"home": "chaser", "away": "still", "matches": 4, "minutes": 1.5, "players": 1, "seed": 1}
@@ -187,15 +164,6 @@ def test_files_that_are_damaged_or_gone_are_made_again(tmp_path: Path) -> None:
     short(tmp_path)
     assert {one.file for one in kept_in(tmp_path)} == set(whole)
     assert all(Replay.read(tmp_path / name).check() for name in whole)
-
-
-@pytest.mark.parametrize(
-    "text", ["", "[1]", '{"asked": {}, "replays": [{}]}', '{"asked": {"kinds": 7}, "replays": []}', "[" * 100_000, "7"]
-)
-def test_a_damaged_list_is_made_again(tmp_path: Path, text: str) -> None:
-    (tmp_path / "replays").mkdir()
-    (tmp_path / "replays" / "kept.json").write_text(text)
-    assert kept_in(tmp_path) == []
 
 
 def test_a_list_names_no_file_elsewhere(tmp_path: Path) -> None:

@@ -12,7 +12,6 @@ from soccer_env.agents.policy_file import dump
 from soccer_env.leagues import find_league
 from soccer_env.train.command.command_line import main
 from soccer_env.train.command.parsing import read_settings
-from soccer_env.train.evaluate import evaluate
 from soccer_env.train.evaluate.settings import Conditions, EvaluateSettings, command_of, conditions_of
 from tests.agents.staged_policies import random_policy
 
@@ -83,20 +82,6 @@ def test_another_pose_needs_a_flag_and_the_report_says_what_it_was(tmp_path: Pat
     assert "| lively was trained with | pose percept |" in (out / "report.md").read_text()
     assert json.loads((out / "result.json").read_text())["trained"] == {"lively": "pose percept"}
     assert "was trained with" not in soccer("evaluate", "--home", home, "--pose", "percept", *WORDS)
-
-
-def test_the_team_away_is_looked_at_too() -> None:
-    with pytest.raises(ValueError, match=r"'mine' was trained with senses='ideal'.*--senses ideal plays it"):
-        from soccer_env.agents.learned import team_from_policy
-
-        asked = EvaluateSettings(home="still", away="mine", players=1, matches=2, minutes=0.05)
-        evaluate(asked, teams={"mine": team_from_policy(random_policy(senses="ideal"))})
-
-
-def test_who_observes_the_truth_is_not_offered_sensors(tmp_path: Path, soccer: Any) -> None:
-    home = file_of(tmp_path, observe="truth", senses="ideal")
-    said = soccer("evaluate", "--home", home, *WORDS, code=2)
-    assert said.endswith("--senses ideal plays it as it was trained\n"), said
 
 
 def test_a_folder_is_gone_on_with_whether_the_default_is_given_or_not(tmp_path: Path) -> None:

@@ -47,11 +47,6 @@ def test_a_page_is_short_and_says_what_it_needs_and_reached(name: str) -> None:
     assert re.search(r"^Reached: .*\d+ s", ast.get_docstring(ast.parse(source)) or "", re.MULTILINE)
 
 
-def test_lines_that_do_something_are_counted() -> None:
-    page = '"""A page."""\n\nimport numpy\n\n\ndef main():\n    """Do it."""\n    # so\n    return 1\n'
-    assert code_lines(page) == {6, 9}
-
-
 def test_make_knows_every_page_and_where_it_can_run() -> None:
     here, apart = made("HERE"), made("APART")
     assert sorted(here + apart) == PAGES
@@ -110,7 +105,3 @@ def test_a_search_changes_no_record_of_the_match() -> None:
     plan = monte_carlo.best_plan(match, planner, np.random.default_rng(1), np.zeros((monte_carlo.WALKS, 4)))
     assert match.state_hash() == before
     assert plan.shape == (monte_carlo.WALKS, 4) and np.abs(plan).max() <= 1.0
-
-
-def test_the_example_is_short() -> None:
-    assert len(code_lines(Path(monte_carlo.__file__).read_text(encoding="utf-8"))) <= LINES

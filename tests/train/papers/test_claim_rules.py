@@ -10,7 +10,6 @@ from soccer_env.baselines.sacks_2001.memory import APPROACH, BACK
 from soccer_env.match import Match
 from soccer_env.match.staging import PATIENT, memory_of
 from soccer_env.scenes import SCENES
-from soccer_env.train.command import listing
 from soccer_env.train.papers import staging
 from soccer_env.train.papers.claim import NO_MATCH, PLAYED, PLAYED_AND_STAGED, STAGED, Batch
 from soccer_env.train.papers.claims import all_claims
@@ -37,22 +36,9 @@ def test_every_claim_states_its_rules() -> None:
     assert {"S01", "S02", "S22", "S24", "S27", "S29", "S30", "S31", "S69"} <= judged_from_play
 
 
-@pytest.mark.parametrize("name", ["S15", "S20", "S28", "S04", "S30"])
-def test_matches_are_made_under_the_rules_that_are_stated(name: str, made: set[str]) -> None:
-    claim = all_claims()[name]
-    claim.measure(Batch(name, 1, 0, rules=claim.rules))
-    assert made == set(claim.rules)
-
-
 def test_other_rules_of_play_are_asked_for_by_name(made: set[str]) -> None:
     (result,) = reproduce(ReproduceSettings(claims=("S04",), quick=True, seeds=(1,), rules="simple"))
     assert made == {"simple"} == set(result.rules)
-
-
-def test_claims_that_are_not_judged_from_play_do_not_change(made: set[str]) -> None:
-    settings = (ReproduceSettings(claims=("S20",), quick=True, seeds=(1,), rules=name) for name in ("league", "simple"))
-    league, simple = ((result.estimate, result.low, result.rules) for each in settings for result in reproduce(each))
-    assert league == simple and made == {PATIENT}
 
 
 def test_matches_under_rules_that_the_claim_does_not_state_are_refused() -> None:
@@ -77,12 +63,6 @@ def test_drills_run_under_their_own_rules_and_where_opponents_play_under_those_o
     simple = Batch("S31", 0, 0, rules=("simple",))
     match = start_drill(simple, or_shoot.SCENE, {}, 1, 0.0, opponents="chaser", rules=simple.play_rules)
     assert match.league.rules.name == "simple"
-
-
-def test_lists_state_the_rules_of_scenes() -> None:
-    (table,) = listing.scenes()
-    cells = dict(zip(table.columns, zip(*table.rows, strict=True), strict=True))
-    assert dict(zip(cells["name"], cells["rules"], strict=True)) == {name: x.rules for name, x in SCENES.items()}
 
 
 def two(rows: int = 1) -> Match:

@@ -8,8 +8,8 @@ from soccer_env.match.staging import memory_of, set_mass
 from soccer_env.train.papers import dribble_runs
 from soccer_env.train.papers.claim import Batch
 from soccer_env.train.papers.claims import goalkeeper
-from soccer_env.train.papers.claims.dribble import dribbling, or_shoot, past
-from soccer_env.train.papers.dribble_runs import Contacts, play_drill
+from soccer_env.train.papers.claims.dribble import dribbling, past
+from soccer_env.train.papers.dribble_runs import Contacts
 from soccer_env.train.papers.staging import begin_scene, put, put_ball, stage, stage_team
 
 BATCH = Batch("test", 0, 0)
@@ -55,16 +55,6 @@ def test_the_knee_is_where_losses_reach_half_of_their_greatest_share() -> None:
     assert dribbling.wide_angle_loss_difference({"lost": lost}) == pytest.approx(100.0)
 
 
-def test_robots_that_walk_against_another_touch_it() -> None:
-    match = stage(BATCH, matches=2, senses="ideal")
-    put(match, 0, -0.3, 0.0, 0.0)
-    put(match, 1, [0.05, 0.9], 0.0, np.pi)
-    put_ball(match, -1.0, 0.8)
-    found = dribble_runs.record_dribble(match, 4.0, dribbling.walking_actions(match, 0.035, np.zeros(2)))
-    assert found.touches.any(axis=0).tolist() == [True, False]
-    assert found.x[-1, 1] > found.x[-1, 0]
-
-
 def test_a_curve_tells_what_deciding_more_often_brings_and_costs() -> None:
     """A parabola in the logarithm of the time is its own curve: 8 points lower at a second than at half a second."""
     shares = 0.8 - 0.08 * np.log2(np.array(past.REPLANS) / 0.5) ** 2
@@ -89,32 +79,8 @@ def test_a_contact_that_stops_or_turns_somebody_is_told_from_a_touch() -> None:
 
 
 @pytest.mark.slow
-def test_runs_of_a_drill_end_past_lost_or_open() -> None:
-    found = play_drill(BATCH, "dribble-past-one", {}, 24)
-    assert (found["clean"] <= found["past"]).all() and (found["past"] * found["lost"] == 0.0).all()
-    assert (found["clean"] * found["touched"] == 0.0).all() and found["past"].mean() > 0.5
-    again = play_drill(BATCH, "dribble-past-one", {}, 24)
-    assert all((found[name] == again[name]).all() for name in found)
-
-
-@pytest.mark.slow
-def test_the_scene_of_the_still_player_behind_is_one_that_can_be_played() -> None:
-    found = play_drill(BATCH, past.STILL_BEHIND, {}, 24)
-    assert (found["seconds"] > 2.0).all()
-
-
-@pytest.mark.slow
 def test_shots_at_an_empty_goal_go_in_and_a_goalkeeper_saves_some(monkeypatch: pytest.MonkeyPatch) -> None:
     scored, speed = goalkeeper.face_shots(BATCH, {})
     assert 0.0 < scored.mean() < 0.6 and (speed <= 1.5).all()
     monkeypatch.setattr(goalkeeper, "put", lambda match, r, *_: put(match, r, 1.2, 0.8, 0.0))
     assert goalkeeper.face_shots(BATCH, {})[0].mean() > 0.95
-
-
-@pytest.mark.slow
-def test_without_blockers_both_strategies_score() -> None:
-    for settings in or_shoot.STRATEGIES.values():
-        runs = or_shoot.play_to_goal(BATCH, settings, None)
-        scored = runs["goals"] > 0
-        assert not runs["against"].any()
-        assert scored.mean() > 0.6 and runs["progress"][scored].min() > 1.0 and runs["ended"][scored].max() < 60.0

@@ -7,47 +7,14 @@ from soccer_env.baselines.sacks_2001.forces import goal_force, player_force, rep
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.baselines.sacks_2001.steering import limited
 from soccer_env.train.papers.claim import Batch, as_plain
-from soccer_env.train.papers.claims.field import constants, forces, minima, numbers, points
+from soccer_env.train.papers.claims.field import constants, forces, minima, points
 from soccer_env.train.papers.claims.field.point_world import PointWorld, players
-from soccer_env.train.papers.claims.field.points import RobotRuns, pad_with_nan, run_robots
+from soccer_env.train.papers.claims.field.points import RobotRuns
 from soccer_env.train.papers.dribble_runs import DribbleRecord
 from soccer_env.train.papers.report import figure_table
 from soccer_env.train.report import draw_curves
 
 BATCH = Batch("test", 0, 0)
-
-
-def test_a_gap_is_as_wide_as_asked_and_square_if_asked() -> None:
-    gap, askew = (points.gap_ahead(np.random.default_rng(0), 0.45, 0.55, **how) for how in ({"askew": 0.0}, {}))
-    assert (gap["x"][:, 0] == gap["x"][:, 1]).all() and np.ptp(askew["x"], axis=1).max() > 0.1
-    wide = np.hypot(gap["x"][:, 0] - gap["x"][:, 1], gap["y"][:, 0] - gap["y"][:, 1])
-    assert wide.min() >= 0.45 and wide.max() <= 0.55
-
-
-def test_movers_come_for_the_dribbler() -> None:
-    rng = np.random.default_rng(1)
-    comes, both = points.approaching_player(rng), points.players_on_both_sides(rng)
-    speed = np.hypot(comes["vx"], comes["vy"])
-    assert speed.min() >= points.SPEEDS[0] and speed.max() <= points.SPEEDS[1]
-    assert (comes["vx"] < 0.0).all()
-    assert (both["vx"][:, 0] == 0.0).all() and (both["y"][:, 0] * both["y"][:, 1] < 0.0).all()
-
-
-def test_exponents_are_matched_where_the_papers_force_is_one() -> None:
-    assert pytest.approx(0.444, abs=1e-3) == points.UNIT
-    for exponent in forces.EXPONENTS:
-        force = (1.0 / points.UNIT - 1.0) / points.UNIT ** (exponent - 1)
-        assert forces.matched_gain(exponent) * force == pytest.approx(1.0)
-    samples = forces.compare_exponents(BATCH)
-    assert np.nanmin(samples["onset"]) > points.TOUCH and np.nanmax(samples["onset"]) < 1.0
-
-
-def test_arrows_point_to_the_goal_where_nobody_is() -> None:
-    arrows = points.force_arrows(players([[0.0, 0.0]]), SacksSettings())
-    far = [i for i, (x, y) in enumerate(zip(arrows.x, arrows.y, strict=True)) if np.hypot(x, y) > 1.0 and abs(y) < 0.6]
-    for i in far:
-        angle = np.arctan2(-arrows.y[i], 1.6 - arrows.x[i])
-        assert (arrows.along_x[i], arrows.along_y[i]) == pytest.approx((np.cos(angle), np.sin(angle)))
 
 
 def test_a_field_is_drawn_with_its_arrows() -> None:
@@ -75,27 +42,11 @@ def test_what_became_of_robots_is_counted_until_they_have_passed() -> None:
     assert runs.deviation[0] == 0.0  # straight on
 
 
-def test_planning_is_weighed_by_one_decision_in_eight_frames() -> None:
-    samples = {"time": np.full(10, 2.0), "frame": np.full(10, 10.0)}
-    assert numbers.planning_time_share(samples) == pytest.approx(2.5)
-    assert numbers.planning_time_share(samples, 80.0) == pytest.approx(200.0)
-
-
 def test_a_force_without_cut_off_is_matched_where_the_papers_is_one() -> None:
     for changes in ({}, points.NO_CUT_OFF):
         play = SacksSettings(**changes).record()[0]
         assert repulsion(points.UNIT, play["player_gain"], play["player_range"], play) == pytest.approx(1.0)
         assert repulsion(points.WALL_UNIT, play["wall_gain"], play["wall_range"], play) == pytest.approx(1.0)
-
-
-def test_robots_play_the_scenes_that_points_play() -> None:
-    rng = BATCH.rng()
-    start, crowd = points.starts(rng)[:4], points.player_near_path(rng, 0.0, 0.25)[:4]
-    runs = run_robots(BATCH, start, crowd)
-    assert runs.way.x[0] == pytest.approx(start[:, 0], abs=0.02)
-    assert np.isfinite(runs.off).mean() > 0.7 and runs.arrived.any()
-    values = pad_with_nan(runs.is_clean)
-    assert len(values) == points.SCENES and np.isfinite(values).sum() == 4
 
 
 def test_the_least_value_that_suffices_is_near_the_best() -> None:

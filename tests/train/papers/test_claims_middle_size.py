@@ -6,8 +6,8 @@ import pytest
 from soccer_env.baselines.weigel_2001.planner import Planner
 from soccer_env.train.papers.claim import STAGED, Batch
 from soccer_env.train.papers.claims import middle_size
-from soccer_env.train.papers.claims.goalkeeping import passes, places, saves, shots, tracking
-from soccer_env.train.papers.claims.planning import crossings, plans, runs
+from soccer_env.train.papers.claims.goalkeeping import places, saves, tracking
+from soccer_env.train.papers.claims.planning import crossings, runs
 from soccer_env.train.papers.staging import MIDDLE, begin_scene, play, put, stage
 
 BATCH = Batch("test", 0, 0, rules=STAGED)
@@ -38,27 +38,6 @@ def test_who_is_carried_is_told_nothing_and_is_elsewhere() -> None:
     assert (middle_size.pose_errors(match)[0] > 0.5).any()  # it has not been told
 
 
-def test_a_robot_that_stands_still_finds_out_where_it_is() -> None:
-    match = stage(BATCH, MIDDLE, matches=8, pose="particles", senses={"home": "sensors", "away": "ideal"})
-    put(match, 0, np.linspace(-4.0, 4.0, 8), np.linspace(-2.0, 2.0, 8), np.linspace(-3.0, 3.0, 8))
-    begin_scene(match)
-    list(play(match, 3.0))
-    place, heading = middle_size.pose_errors(match)
-    assert np.median(place) < 0.15 and np.median(heading) < 0.1
-
-
-def test_drivers_stay_on_the_field_and_move() -> None:
-    match = stage(BATCH, MIDDLE, matches=3, away=3)
-    for r in range(4):
-        put(match, r, 2.0 * r - 3.0, 0.0)
-    begin_scene(match)
-    drivers = middle_size.RandomDrivers(match, BATCH.rng())
-    for step in play(match, 4.0, drivers.actions):
-        drivers.steer(step)
-    assert np.hypot(match.robots["vx"], match.robots["vy"]).mean() > 0.5 * middle_size.SPEED
-    assert (np.abs(match.robots["x"]) < 6.0).all() and (np.abs(match.robots["y"]) < 4.0).all()
-
-
 def counts(found: dict[str, list[float]]) -> dict[str, np.ndarray]:
     """Return samples of one match with ten frames in each bin of light."""
     bins = len(middle_size.BINS) - 1
@@ -80,13 +59,6 @@ def test_shares_and_errors_go_by_the_light() -> None:
     assert middle_size.seen_in_changed_light(samples, "fixed") == 0.0
 
 
-def test_the_ball_and_player_of_the_scene_stay_on_the_field() -> None:
-    seen = middle_size.watch_in_light(BATCH, middle_size.VARIANTS["constant"])
-    assert seen["found"].max() == 4 and np.mean(seen["found"]) > 3.0
-    assert np.sqrt(np.nanmean(seen["error"] ** 2)) < 0.1
-    assert seen["light"].max() == 0.0
-
-
 def test_a_crossing_meets_the_straight_way_when_the_robot_would_be_there_or_nearly() -> None:
     for scene in runs.scenes_of(BATCH, runs.CROSSING, 50):
         (x, y, vx, vy), robot = scene.obstacles[0], np.array(scene.robot)
@@ -97,25 +69,6 @@ def test_a_crossing_meets_the_straight_way_when_the_robot_would_be_there_or_near
         gap = np.hypot(*(np.array([[x], [y]]) + np.outer([vx, vy], t) - robot[:, None]
                          - np.outer(way / runs.WAY, np.minimum(t * runs.SPEED, runs.WAY))))  # fmt: skip
         assert gap.min() < runs.LATE * runs.CROSSERS[1] + 0.01
-
-
-def test_slow_traffic_leaves_robot_and_target_free() -> None:
-    for scene in runs.scenes_of(BATCH, runs.slow_traffic, 30):
-        assert len(scene.obstacles) == runs.SLOW_OBSTACLES
-        for x, y, vx, vy in scene.obstacles:
-            assert np.hypot(vx, vy) <= runs.SLOW
-            assert np.hypot(x - scene.robot[0], y - scene.robot[1]) > 0.75
-            for t in (0.0, 1.0, 2.0, 4.0):
-                assert np.hypot(x + t * vx - scene.target[0], y + t * vy - scene.target[1]) > 0.75
-
-
-def test_a_wall_stands_across_the_way() -> None:
-    for scene in runs.scenes_of(BATCH, runs.robot_row_or_cup, 20):
-        assert len(scene.obstacles) in (2, 3, 9)
-        assert runs.plan(scene).arrived
-        straight = np.linspace(scene.robot, scene.target, 200)
-        gaps = [np.hypot(*(straight - one[:2]).T).min() for one in scene.obstacles]
-        assert min(gaps) < 0.3
 
 
 def test_the_side_on_which_an_obstacle_is_passed() -> None:
@@ -129,27 +82,11 @@ def test_the_side_on_which_an_obstacle_is_passed() -> None:
 def test_the_canonical_crossings_show_what_the_paper_shows() -> None:
     found = crossings.canonical_crossings()
     assert (found["old gap"] < crossings.NEAR).all() and (found["old away"] > crossings.AWAY).all()
-    assert (found["new gap"] > crossings.CLEAR).all() and (found["new sides"] == 0).all()
+    assert (found["new gap"] > 0.3).all() and (found["new sides"] == 0).all()
     figures = crossings.snapshots({})
     assert [figure.title.partition(", ")[2] for figure in figures] == ["t = 1", "t = 30", "t = 60"] * 2
     planned, travelled, obstacle = figures[0].curves
     assert len(travelled.x) == 2 and planned.x[-1] == pytest.approx(3.0) and len(obstacle.x) == 25
-
-
-def test_first_heading_of_a_straight_way_is_none() -> None:
-    scene = runs.Scene((-2.0, 0.5), (2.0, 0.5), [])
-    assert plans.first_heading(runs.plan(scene), scene) == pytest.approx(0.0, abs=1e-6)
-
-
-@pytest.mark.parametrize("kind", runs.KINDS)
-def test_obstacles_come_to_the_way_when_the_player_would_be_there(kind: str) -> None:
-    found = runs.draw_drives(BATCH, kind)
-    assert (np.abs(found["x"]) <= 0.2 * runs.FAR + 1e-9).all(), "0.3 to 0.7 of the way"
-    assert (found["start"] < found["when"]).all() and (found["when"] < 0.7 * runs.FAR / 2.6 + 0.33 + 0.31).all()
-    assert found["speed"].min() >= 0.5 and found["speed"].max() <= 5.0
-    run = found["speed"] * (found["when"] - found["start"])
-    assert (np.abs(found["x"] - run * found["ux"]) < runs.EDGE[0] + 1e-6).all()
-    assert (np.abs(found["y"][:, None] - run * found["uy"]) < runs.EDGE[1] + 1e-6).all()
 
 
 def test_the_results_of_a_drive_are_those_of_its_way() -> None:
@@ -178,12 +115,6 @@ def test_believed_velocities_are_compared_in_the_axes_of_the_field() -> None:
     assert np.nanmin(error) == pytest.approx(0.5, abs=0.02) and np.isfinite(error).sum() == 1
 
 
-def test_t_is_never_below_that_of_the_straight_line_and_without_velocities_paths_are_the_same() -> None:
-    assert plans.measure_plan_times(BATCH)["smooth ratio"].min() >= 1.0 - 1e-9
-    assert plans.plans_equal_paths(BATCH)["same"].all()
-    assert not plans.plans_equal_paths(BATCH, still=False)["same"].all()
-
-
 def test_the_open_angle_in_closed_form() -> None:
     goal, half = -6.0, 1.0 - 0.11
     ball, far = np.array([[goal + 4.0, 0.0]]), np.array([[5.0, 3.0]])
@@ -192,13 +123,6 @@ def test_the_open_angle_in_closed_form() -> None:
     shadow = 2.0 * np.degrees(np.arcsin((0.22 + 0.11) / 3.0))
     assert places.open_angle(ball, np.array([[goal + 1.0, 0.0]])) == pytest.approx(whole - shadow)
     assert places.open_angle(ball, np.array([[goal + 3.7, 0.0]])) == pytest.approx(0.0)
-
-
-def test_the_perpendicular_is_no_longer_than_the_way_to_the_crossing() -> None:
-    found = places.interception_distances(BATCH)
-    assert (found["perpendicular"] <= found["crossing"] + 1e-9).all()
-    without = places.interception_distances(BATCH, along_line=True)
-    assert (without["perpendicular"] == found["crossing"]).all() and (found["perpendicular"] < found["crossing"]).any()
 
 
 def test_goals_and_benefits_are_counted() -> None:
@@ -210,12 +134,3 @@ def test_goals_and_benefits_are_counted() -> None:
     assert saves.conceded_ratio(samples, "line", saves.SLOWER) == 0.0
     noisy = {"fit own passive": np.ones(4), "fit own active": np.array([0.0, 0, 0, 1])}
     assert saves.prevented_goals(noisy, "fit", "own") == 75.0
-
-
-@pytest.mark.slow
-def test_shots_reach_the_goal_that_nobody_keeps_and_a_kick_is_received() -> None:
-    faced = shots.face_shots(BATCH, {"keeper": "passive", "strength": 0.0})
-    assert (faced.speed >= shots.SPEEDS[0]).all() and faced.goal.any() and (faced.moved >= 0.0).all()
-    soft, full = passes.kick_passes(BATCH, True), passes.kick_passes(BATCH, False)
-    assert full["top"].mean() == pytest.approx(10.0, rel=0.05) and soft["top"].mean() < 5.0
-    assert soft["got"].mean() > full["got"].mean() + 0.3

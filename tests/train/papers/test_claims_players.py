@@ -3,12 +3,10 @@
 import numpy as np
 import pytest
 
-from soccer_env.match.staging import memory_settings_of
 from soccer_env.optics import head_camera as optics
 from soccer_env.train.papers.claim import Batch
-from soccer_env.train.papers.claims.players import grouping, jersey, moving, views, watching
+from soccer_env.train.papers.claims.players import grouping, jersey, views, watching
 from soccer_env.train.papers.staging import (
-    OPEN_FLOOR,
     begin_scene,
     distance_to_point,
     play,
@@ -53,16 +51,6 @@ def test_a_head_that_looks_at_a_player_has_it_on_its_axis() -> None:
     assert np.degrees(np.arccos(np.minimum(cosine, 1.0))).max() < 0.5
 
 
-def test_the_head_turns_where_it_is_asked_to() -> None:
-    match = watching.stage_watchers(BATCH, 2)
-    begin_scene(match)
-    actions = still_actions(match)
-    turn_head(match, actions, 0, np.array([0.8, -0.8]), -0.4)
-    list(play(match, 1.0, actions))
-    assert match.robots["pan"][:, 0] == pytest.approx([0.8, -0.8])
-    assert match.robots["tilt"][:, 0] == pytest.approx(-0.4)
-
-
 def test_directions_of_blobs_are_those_of_optics() -> None:
     match = looking()
     bearing, elevation = watching.blob_directions(match)
@@ -77,19 +65,6 @@ def test_directions_of_blobs_are_those_of_optics() -> None:
             found = optics.direction_of_pixel(u, v, float(percept["pan"]), float(percept["tilt"]), s)
             assert (bearing[m, i], elevation[m, i]) == pytest.approx(found)
     assert np.isfinite(bearing).any(axis=1).all()
-
-
-def test_a_player_in_view_is_found_in_a_slot() -> None:
-    match = looking(matches=32)
-    slots = watching.slots_of(match)
-    distance, bearing = watching.nearest_seen(match)
-    assert np.isfinite(distance).mean() > 0.8
-    assert np.nanmedian(np.abs(distance - 0.8)) < 0.15
-    assert (watching.is_fresh(match, slots).sum(axis=1) >= np.isfinite(distance)).all()
-    assert np.nanmax(np.abs(bearing - np.linspace(-0.5, 0.5, 32))) < 0.3
-    true = watching.distances_from_camera(match, [1])[1][:, 0]
-    assert np.nanmedian(np.abs(watching.slot_bearings(match, slots)[:, 0] - true)) < 0.15
-    assert (watching.matched_distances(watching.gaps_to(match, slots, [1]), 0.5) < 0.5).mean() > 0.8
 
 
 def test_places_of_players_are_in_the_robots_own_axes() -> None:
@@ -128,21 +103,6 @@ def test_what_is_too_many_is_a_ghost_and_what_lacks_is_missed() -> None:
     assert ghosts.tolist() == [0, 1, 1, 0] and missed.tolist() == [0, 1, 0, 2]
 
 
-def test_two_in_view_do_not_touch() -> None:
-    match = watching.stage_watchers(BATCH, 200, away=2)
-    grouping.put_two_in_view(match, BATCH.rng())
-    x, y = watching.places_of(match, [1, 2])
-    assert np.hypot(x[:, 0] - x[:, 1], y[:, 0] - y[:, 1]).min() > grouping.APART
-    assert np.abs(np.arctan2(y, x)).max() <= grouping.WIDE
-
-
-def test_the_memory_reads_the_settings_that_a_claim_changes() -> None:
-    match = looking(matches=4)
-    memory_settings_of(match)["ghost_time"] = 0.0
-    match.step(still_actions(match))
-    assert (watching.slots_of(match)["age"] == 0.0).all()
-
-
 def test_views_are_counted_from_head_on_and_only_within_the_picture() -> None:
     match = watching.stage_watchers(BATCH, 2)
     put(match, 0, 0.0, 0.0, 0.0)
@@ -174,21 +134,3 @@ def test_a_jump_is_how_much_farther_a_headless_player_seems() -> None:
     samples["combined without head"][:, :, 0] = [1.7, 2.0, 2.4]
     assert jersey.sticker_range_ratios(samples, "largest") == pytest.approx(1.1)
     assert jersey.worst_sticker_ratio(samples, "combined") == pytest.approx(2.4)
-
-
-def test_movers_keep_their_speed_and_those_that_stand_stay() -> None:
-    samples = moving.walk_off(BATCH)
-    assert samples["error"].shape == (moving.SCENES, len(moving.SPEEDS))
-    assert np.nanmax(np.abs(samples["error"][:, 0] - samples["first"][:, 0])) < 1e-3
-    assert np.nanmedian(samples["error"][:, -1]) > np.nanmedian(samples["error"][:, 1])
-
-
-def test_on_the_open_floor_nothing_that_stands_two_metres_away_is_moved() -> None:
-    match = watching.stage_watchers(BATCH, 16, league=OPEN_FLOOR)
-    watching.put_facing(match, 1, 2.0, 0.0, 0.0)
-    place = match.robots[["x", "y"]][:, 1].copy()
-    begin_scene(match)
-    for _ in play(match, 1.0):
-        pass
-    np.testing.assert_array_equal(match.robots[["x", "y"]][:, 1], place)
-    match.close()

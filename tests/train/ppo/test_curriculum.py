@@ -12,7 +12,7 @@ from soccer_env.agents.perceptron import pack_policy
 from soccer_env.leagues import find_league
 from soccer_env.match.match import BLOCK
 from soccer_env.train.ppo.curriculum import LEARNER, LEAST, Curriculum
-from soccer_env.train.ppo.match_blocks import split_evenly, split_matches
+from soccer_env.train.ppo.match_blocks import split_matches
 from soccer_env.train.ppo.networks import blank_policy
 from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.ppo.vec_env import Result
@@ -97,15 +97,6 @@ def test_the_oldest_past_self_gives_way() -> None:
     assert made.filled == [30, 40]
 
 
-def test_a_past_self_begins_as_strong_as_the_learner_and_even_with_it() -> None:
-    made = curriculum(past=1)
-    made.take(results("chaser", [1.0] * 20) + results("past-0", [1.0] * 20))
-    made.add_past(BLANK, 48)
-    standing, learner = made.standings["past-0"], made.standings[LEARNER]
-    assert (standing.mu, standing.sigma) == (learner.mu, learner.sigma)
-    assert (standing.points, standing.episodes) == (0.5, 0)
-
-
 def test_ratings_order_the_strong_above_the_weak() -> None:
     rng, made = np.random.default_rng(1), curriculum()
     chances = {"still": 0.95, "random": 0.5, "chaser": 0.05}
@@ -165,9 +156,3 @@ def test_matches_add_up_and_no_block_is_empty_or_too_large(sizes: int, matches: 
     for player in players:
         whole = sum(count for size, count in blocks if size == player)
         assert abs(whole - matches / player[0] / whole_share) <= 1.0
-
-
-@given(whole=st.integers(0, 10_000), count=st.integers(1, 50))
-def test_parts_are_nearly_equal(whole: int, count: int) -> None:
-    found = split_evenly(whole, count)
-    assert len(found) == count and sum(found) == whole and max(found) - min(found) <= 1

@@ -6,7 +6,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from soccer_env.agents.perceptron import pack_policy
 from soccer_env.agents.policy_file import load
 from soccer_env.leagues import find_league
 from soccer_env.observations import layout
@@ -66,14 +65,6 @@ def test_a_file_decides_as_the_network_in_episodes_that_begin_and_robots_that_ar
     ]  # fmt: skip
     np.testing.assert_allclose(actions, np.stack(expected, axis=1), rtol=0.0, atol=3e-6)
     assert np.std(actions) > 0.1
-
-
-@pytest.mark.parametrize("units", [0, 8])
-def test_the_policy_before_training_has_the_shape_of_the_one_after(units: int) -> None:
-    blank = blank_policy(TrainSettings(hidden="16", memory=units, mirror=False), LEAGUE)
-    made = export_policy(network(units), name="t", league=LEAGUE, observe="belief", action_repeat=8, made={})
-    assert pack_policy(made).shape == pack_policy(blank).shape
-    assert (decide(blank, episodes(5, 1)[:, 0]) == 0.0).all()
 
 
 def learner(folder: Path, **changes: Any) -> Learner:

@@ -26,14 +26,6 @@ def opened(settings: TrainSettings) -> RunFolder:
     return folder
 
 
-def test_a_folder_holds_its_settings(tmp_path: Path) -> None:
-    settings = tiny_settings(tmp_path / "a" / "b")
-    opened(settings)
-    found = json.loads((settings.out / "settings.json").read_text())
-    assert {**found["conditions"], **found["about"], "anew": False} == settings.as_dict()
-    assert "steps" in found["about"] and "rollout" in found["conditions"]
-
-
 def test_two_trainings_cannot_share_a_folder(tmp_path: Path) -> None:
     folder = RunFolder(tiny_settings(tmp_path))
     with pytest.raises(ValueError, match="another run uses .*give another folder"):

@@ -1,7 +1,5 @@
 """Where a training's settings come from: a file, flags that overrule it, modules of one's own; errors in one line."""
 
-import importlib
-import re
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -36,19 +34,13 @@ def test_a_file_gives_settings_and_flags_overrule_it(tmp_path: Path) -> None:
     ("content", "message"),
     [
         ("step = 3\n", "unknown setting 'step', did you mean 'steps'\\? known: league, players, opponents, steps"),
-        ("[training]\nsteps = 3\n", "unknown setting 'training'"),
         ('steps = "many"\n', "steps must be a whole number of at least 0, got 'many'"),
-        ("steps = 3.0\n", "steps must be a whole number of at least 0, got 3.0"),
         ("mirror = 1\n", "mirror must be True or False, got 1"),
-        ('minutes = "2"\n', "minutes must be a number above 0 and below 10000, got '2'"),
-        ("hidden = 64\n", "hidden must be a text"),
         ("out = 3\n", "out must be a path, got 3"),
         ("steps = -1\n", "steps must be a whole number of at least 0"),
-        ("noise = nan\n", "noise must be a number above 0"),
         ('observe = "x-rays"\n', "observe must be one of belief"),
         ("anew = true\n", "anew is for the command line"),
         ("steps 3\n", "cannot be read: "),
-        ("steps = 3\nsteps = 4\n", "cannot be read: "),
         ("name = '\udcff'\n", "cannot be read: "),
         ("a = " + "[" * 5000, "cannot be read: maximum recursion depth"),
         (".".join("a" * 100_000) + " = 1", "cannot be read: has 200003 bytes, more than the limit of 16384"),
@@ -69,14 +61,11 @@ def test_a_wrong_file_is_named(tmp_path: Path, content: str, message: str) -> No
     [
         (["--config"], "--config needs a file"),
         (["--config", "nowhere.toml"], "nowhere.toml cannot be read: "),
-        (["--config=nowhere.toml"], "nowhere.toml cannot be read: "),
         (["--config", "."], "cannot be read: "),
         (["--config", "/dev/zero"], "/dev/zero cannot be read: is not a regular file"),
         (["--steps", "-1"], "steps must be a whole number of at least 0, got -1"),
         (["--learning-rate", "nan"], "learning_rate must be a number above 0 and at most 1, got nan"),
-        (["--mirror", "maybe"], "maybe"),
         (["--opponent", "still"], "unknown option '--opponent'"),
-        (["--observe", "x-rays"], "--observe"),
     ],
 )
 def test_a_wrong_command_is_one_line(words: list[str], message: str, soccer: Any) -> None:
@@ -109,15 +98,6 @@ def test_a_missing_package_is_said_with_what_installs_it(tmp_path: Path) -> None
     assert lines[1::2] == ["2", "2", "2"], said
     for line, missing in zip(lines[::2], ("torch", "stable_baselines3", "openskill")):
         assert 'pip install "soccer_env[train]"' in line and missing in line
-
-
-def test_rows_say_what_installs_stable_baselines(monkeypatch: pytest.MonkeyPatch) -> None:
-    for name in [name for name in sys.modules if name.partition(".")[0] == "stable_baselines3"]:
-        monkeypatch.setitem(sys.modules, name, None)  # as if it were not there
-    monkeypatch.setitem(sys.modules, "stable_baselines3", None)
-    monkeypatch.delitem(sys.modules, "soccer_env.train.ppo.vec_env", raising=False)
-    with pytest.raises(ImportError, match=r'needs stable-baselines3: pip install "soccer_env\[train\]"'):
-        importlib.import_module("soccer_env.train.ppo.vec_env")
 
 
 pytest.importorskip("stable_baselines3")
@@ -181,19 +161,3 @@ def test_all_parts_of_ones_own_are_trained_with(mine: Path) -> None:
         kept.cache_clear()
     with pytest.raises(ValueError, match="own_parts"):
         train_plainly(tiny_settings(mine / "run", **OWN, steps=3 * ROLLOUT))
-
-
-@pytest.mark.usefixtures("mine")
-@pytest.mark.parametrize(
-    ("changes", "message"),
-    [
-        ({"league": "own_parts:ICE"}, "unknown league 'ICE' in module 'own_parts', did you mean 'ICY'?"),
-        ({"rewards": "own_parts:ICY"}, "rewards 'own_parts:ICY' must be a Rewards, got <League icy"),
-        ({"scenes": "own_parts:BESIDES:0.5"}, "unknown scene 'BESIDES' in module 'own_parts', did you mean 'BESIDE'?"),
-        ({"opponents": "own_parts:tem"}, "opponents: unknown team 'tem' in module 'own_parts', did you mean 'team'?"),
-    ],
-)
-def test_what_is_not_there_is_named_before_a_folder_is_made(changes: dict[str, str], message: str) -> None:
-    with pytest.raises(ValueError, match=re.escape(message)):
-        train_plainly(tiny_settings(Path("run"), **changes))
-    assert not Path("run").exists()

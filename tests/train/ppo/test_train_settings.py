@@ -63,38 +63,25 @@ def test_a_count_is_a_whole_number(name: str) -> None:
     [
         ({"mirror": True, "observe": "percepts"}, "mirror needs observe='belief' or 'truth'"),
         ({"observe": "truth"}, "observe='truth' needs senses='ideal'"),
-        ({"observe": "truth", "senses": "home=sensors,away=ideal"}, "observe='truth' needs senses='ideal'"),
         ({"observe": "x-rays"}, "observe must be one of belief, percepts, truth, got 'x-rays'"),
-        ({"pose": "gps"}, "pose must be one of particles, percept"),
-        ({"activation": "gelu"}, "activation must be one of tanh, relu"),
         ({"device": "tpu"}, "device must be one of auto, cpu, cuda"),
         ({"mirror": "yes"}, "mirror must be True or False, got 'yes'"),
-        ({"central_critic": 1}, "central_critic must be True or False, got 1"),
         ({"name": 3}, "name must be a text, got 3"),
         ({"senses": "eyes"}, "senses must be one of ideal, sensors"),
-        ({"senses": None}, "senses must be a text"),
         ({"out": 3}, "out must be a path"),
         ({"hidden": "x"}, "hidden must be one to six layer sizes"),
-        ({"hidden": "64,"}, "hidden must be one to six layer sizes"),
         ({"scenes": "kick-of"}, "unknown scene 'kick-of', did you mean 'kick-off'"),
         ({"scenes": "kick-off:a,scattered"}, "scenes must be written as NAME:share"),
-        ({"critic": "0"}, "critic must be one to six layer sizes"),
         ({"critic": "8,8,8,8,8,8,8"}, "critic must be one to six layer sizes"),
         ({"players": "0v3"}, "players must be 1 to 11"),
-        ({"players": "3v12"}, "players must be 1 to 11"),
         ({"players": "1v1,,2v2"}, "players must be names with commas"),
-        ({"players": "a few"}, "players must be 1 to 11"),
         ({"players": "1v1;2v2;3v3", "opponents": "still;chaser"}, "equally many stages, or one .* got 3 and 2"),
-        ({"players": "1v1;"}, "players must be names with commas"),
         ({"opponents": ""}, "opponents must be names with commas"),
         ({"opponents": "chaser,chaser"}, "opponents must be different"),
-        ({"evaluate_against": "chaser,"}, "evaluate_against must be names with commas"),
         ({"evaluate_matches": 3}, "evaluate_matches must be an even whole number, for each seed .*, got 3"),
         ({"minutes": 1e300}, "minutes must be a number above 0 and below 10000"),
-        ({"evaluate_minutes": 10_000.0}, "evaluate_minutes must be a number above 0 and below 10000"),
         ({"seed": 2**32}, "seed must be 0 to 4294967295"),
         ({"batch": 1}, "a batch and a rollout must have 2 decisions at least"),
-        ({"rollout": 1, "matches": 1}, "a batch and a rollout must have 2 decisions at least"),
     ],
 )
 def test_a_setting_that_makes_no_sense_is_refused(changes: dict[str, Any], message: str) -> None:
@@ -107,19 +94,14 @@ def test_a_setting_that_makes_no_sense_is_refused(changes: dict[str, Any], messa
     [
         ({"league": "moon"}, "unknown league 'moon'; known: legged-2001"),
         ({"opponents": "still,winners"}, "opponents: unknown team 'winners'"),
-        ({"opponents": "chaser@2"}, "opponents: strength of team 'chaser@2' must be a number from 0 to 1"),
         ({"opponents": "none.safetensors"}, "opponents: policy file 'none.safetensors'"),
         ({"opponents": "sacks-2001", "league": "middle-size-2006"}, "is for legged leagues, 'middle-size-2006' is"),
         ({"rules": "leage"}, "unknown rules 'leage', did you mean 'league'"),
-        ({"rules": "league:pushed=True"}, "unknown rule 'pushed'.*`soccer list rules` names all"),
         ({"scenes": "kick-off,dribble-past-three"}, "away must be 3 to 3 in scene 'dribble-past-three'"),
-        ({"evaluate_against": "nobody"}, "evaluate_against: unknown team 'nobody'"),
         ({"start": "none.safetensors"}, "start: policy file 'none.safetensors'"),
-        ({"start": str(BUNDLED), "action_repeat": 4}, "start: .* has hidden layers of 64,64, the run 8"),
         ({"start": str(BUNDLED), "action_repeat": 2}, "start: .* is of another shape: action_repeat is 4, the run's 2"),
         ({"matches": 1}, "matches must be at least one for each of 2 team sizes, got 1"),
         ({"action_repeat": 1001}, "action_repeat must be 1 to 1000, got 1001"),
-        ({"threads": 257}, "threads must be 1 to 256, got 257"),
         ({"name": "a|b"}, "name must be 1 to 64 characters"),
         ({"out": Path("x\x07y")}, "out must be a folder of the run's own with a plain name"),
         ({"out": Path()}, "out must be a folder of the run's own with a plain name"),
@@ -142,16 +124,6 @@ def test_a_missing_gpu_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
 def test_a_rollout_is_cut_into_nearly_equal_parts() -> None:
     asked = [(24576, 4096), (16448, 4096), (1000, 4096), (336, 20), (3, 2), (2, 2), (5, 2)]
     assert [minibatch_size(*one) for one in asked] == [4096, 4112, 1000, 20, 2, 2, 3]
-
-
-@given(decisions=st.integers(2, 100_000), batch=st.integers(2, 20_000))
-def test_no_part_of_a_rollout_is_a_scrap(decisions: int, batch: int) -> None:
-    """A gradient step is as long from a scrap of 3 decisions as from a whole batch."""
-    size = minibatch_size(decisions, batch)
-    parts = -(-decisions // size)
-    last = decisions - (parts - 1) * size
-    assert 2 <= size <= decisions
-    assert size - last < decisions / batch + 1
 
 
 def from_words(command: str) -> TrainSettings:

@@ -45,12 +45,6 @@ def test_what_was_trained_is_evaluated_with_either_flag_that_the_error_names(
     assert "policy was trained with pose percept." in evaluated(last, *flags[1].split())
 
 
-def test_what_was_trained_with_particles_is_evaluated_by_default_settings(tmp_path: Path, evaluated: Any) -> None:
-    path = saved(tmp_path, observe="belief", action_repeat=8, pose="particles")
-    evaluated(f"{path}:observe=belief,action_repeat=8,at_once=False,pose=particles")
-    evaluated(f"{path}:observe=belief,action_repeat=8,at_once=False,pose=percept", code=2)
-
-
 def test_rows_of_the_truth_are_evaluated_with_the_flag_that_the_error_names(tmp_path: Path, evaluated: Any) -> None:
     path = saved(tmp_path)  # by default a SoccerVecEnv shows the truth, robots of an evaluation use their sensors
     said = evaluated(f"{path}:at_once=False", code=2)

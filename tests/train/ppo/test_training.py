@@ -9,7 +9,6 @@ import signal
 import subprocess
 import sys
 import time
-import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
@@ -26,10 +25,10 @@ from soccer_env.guards.checking import Range
 from soccer_env.leagues import find_league
 from soccer_env.leagues.rules import rule_set
 from soccer_env.train.command.command_line import main
-from soccer_env.train.ppo import train, training
+from soccer_env.train.ppo import training
 from soccer_env.train.ppo.checks import make_curriculum, make_matches
 from soccer_env.train.ppo.options import BOUNDS
-from soccer_env.train.ppo.reports import ProgressBoard, learning_curve, policy_contest, rounded, step_unit
+from soccer_env.train.ppo.reports import ProgressBoard, policy_contest, rounded, step_unit
 from soccer_env.train.ppo.settings import TrainSettings, command_of
 from tests.train.ppo.staged_training import ROLLOUT, outcome, records, tiny_settings, train_plainly, weights, whole_run
 
@@ -47,11 +46,6 @@ def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_the_same_seed_gives_the_same_weights(tmp_path: Path, whole: Path, change: dict[str, Any]) -> None:
     train_plainly(tiny_settings(tmp_path / "run", **change))
     assert outcome(tmp_path / "run") == outcome(whole)
-
-
-def test_another_seed_gives_other_weights(tmp_path: Path, whole: Path) -> None:
-    train_plainly(tiny_settings(tmp_path / "run", seed=4))
-    assert weights(tmp_path / "run" / "last.safetensors") != weights(whole / "last.safetensors")
 
 
 def test_policies_and_settings_say_by_which_rules_they_were_trained(tmp_path: Path, whole: Path) -> None:
@@ -173,13 +167,6 @@ def test_the_best_policy_is_that_of_the_best_evaluation(tmp_path: Path, monkeypa
     assert load(tmp_path / "run" / "last.safetensors").made["step"] == "336"
 
 
-def test_no_warning_of_others_reaches_the_user(tmp_path: Path) -> None:
-    with warnings.catch_warnings():
-        warnings.simplefilter("error", UserWarning)
-        for batch in (10_000, 13):
-            train_plainly(tiny_settings(tmp_path / f"run-{batch}", steps=ROLLOUT, batch=batch))
-
-
 def test_weights_that_became_nan_are_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(BOUNDS, "learning_rate", Range(0.0, 1e40))
     wild = tiny_settings(tmp_path / "run", learning_rate=1e30, critic_first=0)
@@ -195,21 +182,6 @@ def evaluation(step: int, *differences: float) -> dict[str, Any]:
         "step": step,
         "rows": [{"players": "1v1", "opponent": f"team-{number}", **row} for number, row in enumerate(ends)],
     }
-
-
-def test_a_learning_curve_is_a_picture() -> None:
-    evaluations = [evaluation(n * 10**6, n, n - 2.0) for n in range(3)]
-    asked = evaluations[:1], evaluations, evaluations
-    one, three, again = (learning_curve(found, tiny_settings(Path("x"))) for found in asked)
-    assert one.startswith(b"\x89PNG") and three.startswith(b"\x89PNG") and one != three == again
-
-
-def test_without_matplotlib_there_is_no_picture(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(sys.modules, "matplotlib", None)
-    assert learning_curve([evaluation(0, 0.0)], tiny_settings(Path("x"))) == b""
-    train(tiny_settings(tmp_path / "run", steps=ROLLOUT))
-    found = {path.name for path in (tmp_path / "run").iterdir()}
-    assert "last.safetensors" in found and "learning_curve.png" not in found
 
 
 def test_logs_are_json_that_others_can_read_and_steps_are_told_in_fitting_units() -> None:

@@ -94,20 +94,6 @@ def test_an_episode_that_is_cut_off_keeps_the_value_of_its_last_state(whistle: b
     env.close()
 
 
-def test_a_run_never_ends_an_episode_but_by_its_limit(tmp_path: Path) -> None:
-    from soccer_env.train.ppo.checks import make_curriculum, make_matches
-
-    settings = tiny_settings(tmp_path, players="1v1")
-    env = make_matches(settings, make_curriculum(settings), settings.sizes)
-    env.reset()
-    cut = []
-    for _ in range(26):
-        _, _, dones, infos = env.step(np.zeros((3, 4)))
-        cut += [infos[row]["TimeLimit.truncated"] for row in np.flatnonzero(dones)]
-    assert len(cut) > 3 and sum(cut) >= len(cut) - 2, "the first episodes begin late and may reach the whistle"
-    env.close()
-
-
 def test_the_critic_sees_the_same_of_a_match_in_a_run_of_small_teams_and_of_large_ones() -> None:
     shared: dict[str, Any] = {"matches": 4, "opponents": "still", "observe": "belief", "state": 5, "seed": 3}
     small, mixed = SoccerVecEnv(players=[(1, 1)], **shared), SoccerVecEnv(players=[(1, 1), (3, 3)], **shared)

@@ -137,12 +137,6 @@ def test_a_seed_tells_the_episodes() -> None:
     assert (third.reset() == starts[0]).all() and assert_same_play(first, play(third, 40))
 
 
-def test_all_matches_differ_whatever_their_team_size() -> None:
-    env = rows(players=((1, 1), (1, 1)))
-    env.reset()
-    assert len({match.state_hash(m) for match in env.matches for m in range(2)}) == 4
-
-
 @pytest.mark.parametrize(("players", "matches"), [(((2, 2),), 8), (MIXED, 8), (MIXED, 140)])  # 1, 2 and 3 blocks
 def test_threads_change_nothing(players: tuple[tuple[int, int], ...], matches: int) -> None:
     one, two = (rows(players=players, matches=matches, minutes=0.05, threads=threads) for threads in (1, 2))

@@ -37,12 +37,9 @@ def with_one(value: float, row: int = 0) -> np.ndarray:
         (with_one(np.nan), r"action of row 0, home_0 of match 0 of its block, is not finite: \[0.0, 0.0, nan, 0.0\]"),
         (with_one(np.inf, row=4), "action of row 4, home_1 of match 0 of its block, is not finite"),
         (np.zeros(()), r"actions must be numbers of shape \(6, 4\), got float64 of shape \(\)"),
-        (np.zeros(4), r"got float64 of shape \(4,\)"),
-        (np.zeros((1, 4)), r"got float64 of shape \(1, 4\)"),
         (np.zeros((COUNT, 1)), r"got float64 of shape \(6, 1\)"),
         (np.zeros((COUNT, 4), complex), "got complex128"),
         (np.zeros((COUNT, 4), bool), "got bool"),
-        (np.zeros((COUNT, 4), object), "got object"),
         (None, "got object"),
     ],
 )

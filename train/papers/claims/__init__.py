@@ -11,9 +11,10 @@ To add a claim:
    plays them, and returns arrays whose first axis is independent units (normally the matches); NaN stands for "no
    value". All randomness comes from `batch.seeds(n)` and `batch.rng()`. Variants use the same seeds, which pairs them.
 4. Criteria (`../verdicts.py`): `measured` (any quantity of the samples, bootstrap over units), `counted` (share of hits
-   among trials in each unit), `exact` (arithmetic), `reported` (a number that decides nothing). All must hold. The text
-   names the number in a few words; the bound is the requirement, by the words of the sentence, which `method` quotes
-   where they were in question. `EXPLANATION` of `../report.py` says how several criteria are combined.
+   among trials in each unit), `exact` (arithmetic), `reported` (decides nothing: what no figure and no other criterion
+   shows). All must hold. The text names the number in a few words; the bound is the requirement, by the words of the
+   sentence, which `method` quotes where they were in question. `EXPLANATION` of `../report.py` says how several
+   criteria are combined.
 5. `without=Ablation(ingredient, measure)` marks a claim by construction: its criteria are measured without the
    ingredient, too.
 6. One batch should take 2 to 3 s compiled on one core; write this time into `seconds`, the cap into `batches`

@@ -11,8 +11,8 @@ from soccer_env.train.papers import staging
 from soccer_env.train.papers.claim import Ablation, Batch, claim
 from soccer_env.train.papers.plots import plot, plot_shares, plots
 from soccer_env.train.papers.staging import MIDDLE
-from soccer_env.train.papers.values import median, middles_of, quantile, rms
-from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
+from soccer_env.train.papers.values import median, middles_of, quantile
+from soccer_env.train.papers.verdicts import Samples, counted, measured
 
 MATCHES = 64
 SECONDS = 16.0  # [s] of play: about an eighth of the light's period, from a random phase
@@ -122,12 +122,6 @@ H26 = claim(
              unit="%", at_most=110.0),
     measured(f"fixed table: share seen in light that differs by {BINS[CHANGED]:g} or more",
              lambda samples: 100 * seen_in_changed_light(samples, "fixed"), unit="%", at_most=50.0),
-    reported(f"fixed table: share seen in light that differs by {BINS[1]:g} to {BINS[2]:g}, over constant light",
-             lambda s: 100 * float(relative_to_constant_light(s, "fixed", seen_shares_by_light)[1]), unit="%"),
-    reported(f"fixed table: range error in light that differs by {BINS[1]:g} to {BINS[2]:g}, over constant light",
-             lambda s: 100 * float(relative_to_constant_light(s, "fixed", range_errors_by_light)[1]), unit="%"),
-    reported("range error under constant light",
-             lambda samples: 100 * rms(range_errors_by_light(samples, "constant")), unit="cm"),
     measure=compare_tables, pose="particles",
     figures=plots(*(plot(f"{title} under changing light", "difference of light from the table's own [1]", unit,
                          middles_of(BINS), {label: partial(by_light, of=of, name=name)
@@ -261,8 +255,6 @@ H27 = claim(
     measured("error of the place in 95 % of the time", lambda samples: 100 * quantile(samples["place"], 0.95),
              unit="cm", below=100 * THIRD_OF_ROBOT),
     counted("recovered after being carried", "recovered", "one", at_least=95.0),
-    reported("median error of the heading", "heading", of=median, unit="deg"),
-    reported("median time to recover", "time", of=median, unit="s"),
     measure=drive_and_carry,
     figures=plots(plot_shares("Robots that know where they are again", "time since carried [s]", "robots [%]",
                               np.linspace(0.0, LONGEST, 41), {"within 0.5 m and 20 degrees": lambda s: np.nan_to_num(

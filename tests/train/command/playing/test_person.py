@@ -91,16 +91,6 @@ def test_directions_on_the_pitch(wish: Wish, heading: float, ways: tuple[float, 
     assert ways_on_pitch(wish, heading) == pytest.approx(ways, abs=1e-3)
 
 
-@pytest.mark.parametrize("plays", ["home", "away"])
-def test_directions_on_the_pitch_are_the_same_for_both_teams(plays: str) -> None:
-    match = new_match(home=1, controllers={"home": "chaser", "away": "chaser"})
-    person = Person(match, plays, "pitch")
-    x = float(match.robots["x"][0, person.row])
-    for _ in range(80):
-        match.step(person.actions(Wish(left=1.0)))
-    assert match.robots["x"][0, person.row] < x - 0.2
-
-
 def test_the_next_robot_is_one_that_plays_and_the_nearest_is_at_the_ball() -> None:
     match = new_match(home=3)
     for row, x in enumerate((-1.2, -0.9, -0.3)):
@@ -170,10 +160,3 @@ def test_a_held_key_carries_the_ball_without_a_kick() -> None:
         if match.terminated.all():
             break
     assert kicks == 0.0 and match.balls["x"][0] > x + 0.1
-
-
-def test_skills_change_nothing_but_the_robot() -> None:
-    match = new_match()
-    person, before = Person(match, "home"), match.state_hash(0)
-    person.compile_skills()
-    assert match.state_hash(0) == before and not person._memory["turn"].any()

@@ -16,7 +16,7 @@ from soccer_env.render import Window
 from soccer_env.replay import Replay
 from soccer_env.train.command.command_line import main
 from soccer_env.train.command.playing import playing
-from soccer_env.train.command.playing.controls import HELP, Wish
+from soccer_env.train.command.playing.controls import HELP
 from soccer_env.train.command.playing.person import Person
 from soccer_env.train.command.playing.playing import Game
 from soccer_env.train.command.playing.settings import PersonSettings
@@ -132,22 +132,6 @@ def test_escape_ends_the_play_and_keeps_the_replay(monkeypatch: MonkeyPatch, tmp
     assert len(replay) == 5 * game.stride == 10 and replay.check() == 10
     assert replay.settings["teams"]["away_1"] == "person" and replay.settings["teams"]["away_0"] == "chaser"
     assert (replay.commands["forward"][:, 0, 3] == 1.0).all()
-
-
-def test_slow_motion_draws_each_step_and_speed_has_bounds() -> None:
-    game = new_game(league="middle-size-2006", players=1)
-    assert (game.stride, game.fps) == (2, 25.0)
-    game.press(",")
-    assert (game.speed, game.stride, game.fps) == (0.5, 1, 25.0)
-    for key in ",,,,,,":
-        game.press(key)
-    assert game.speed == 1 / 16
-    for key in "........":
-        game.press(key)
-    assert game.speed == 4.0
-    game.press("p")
-    game.advance(Wish(forward=1.0))
-    assert game.match.matches["step"][0] == 0 and game.fps == 30.0
 
 
 def test_the_belief_is_all_that_is_drawn_in_the_fog() -> None:

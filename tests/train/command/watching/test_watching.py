@@ -19,9 +19,8 @@ from soccer_env.render.overlays.cast import Cast, cast_of
 from soccer_env.replay import Recorder, Thoughts
 from soccer_env.thoughts.thought import NoteReader
 from soccer_env.train.command.command_line import main
-from soccer_env.train.command.watching import deck as decks
-from soccer_env.train.command.watching.deck import HELP, OVERLAYS, PlaybackControls, Tape, play_live
-from soccer_env.train.command.watching.watching import frame_of, show
+from soccer_env.train.command.watching.deck import PlaybackControls, Tape, play_live
+from soccer_env.train.command.watching.watching import frame_of
 
 
 def played(steps: int = 40) -> Match:
@@ -43,16 +42,6 @@ def test_a_tape_goes_on_and_back_and_stops_at_both_ends() -> None:
     assert step_of(tape) == 0
     tape.move_by(99)
     assert step_of(tape) == 40 and tape.ended
-
-
-def test_a_tape_gives_up_its_oldest_shots(monkeypatch: MonkeyPatch) -> None:
-    monkeypatch.setattr(decks, "KEPT", 8)
-    tape = Tape(play_live(played()))
-    for step in range(1, 31):
-        tape.move_by(1)
-        assert step_of(tape) == step and len(tape.shots) <= 8
-    tape.move_by(-99)
-    assert 22 <= step_of(tape) < 30
 
 
 def test_keys_pause_step_seek_and_change_the_speed() -> None:
@@ -130,20 +119,6 @@ def watched(steps: int = 180) -> tuple[PlaybackControls, Cast]:
     return deck, cast_of(match, NoteReader.of(thoughts))
 
 
-def test_each_overlay_has_a_key_and_the_help_names_it() -> None:
-    deck, cast = watched()
-    picture, plain = Closeup("legged-2001", 480), None
-    for key in " bvxwoith":
-        deck.press(key)
-        frame = frame_of(deck, cast, picture, ("a", "b"))
-        assert plain is None or not np.array_equal(frame, plain), key
-        plain = frame_of(deck, cast, picture, ("a", "b")) if plain is None else plain
-        deck.press(key)
-    assert np.array_equal(frame_of(deck, cast, picture, ("a", "b")), plain)
-    words = " ".join(HELP)
-    assert all(f"{key}: " in words for key in ("space", *OVERLAYS, "f", "h", "r", "e"))
-
-
 def test_keys_pick_a_robot_and_the_picture_follows_it_or_the_ball() -> None:
     deck, cast = watched()
     picture = Closeup("legged-2001", 480)
@@ -163,20 +138,6 @@ def test_keys_pick_a_robot_and_the_picture_follows_it_or_the_ball() -> None:
     assert deck.follow == "ball"
     deck.press("f")
     assert np.array_equal(frame_of(deck, cast, picture, ("a", "b")), whole)
-
-
-def test_two_matches_are_shown_in_one_process(monkeypatch: MonkeyPatch) -> None:
-    monkeypatch.setenv("SDL_VIDEODRIVER", "dummy")
-    other = Window("other")
-    shot = Tape(play_live(Match("middle-size-2006", home=1, away=1))).shot
-    other.show(Picture("middle-size-2006", 320).draw(*shot[:3]))
-    match = played(4)
-    tape = Tape(play_live(match))
-    controls, picture = PlaybackControls(tape, 16.0, 100.0), Closeup("legged-2001", 320)
-    show(controls, cast_of(match, None), picture, Window(), ("a", "b"), stays=False)
-    assert other.is_open and tape.ended
-    other.close()
-    pygame.quit()
 
 
 def test_without_a_display_it_says_so(monkeypatch: MonkeyPatch, capsys: CaptureFixture[str], tmp_path: Path) -> None:

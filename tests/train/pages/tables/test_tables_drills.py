@@ -5,7 +5,7 @@ from soccer_env.scenes.drills import DRILLS
 from soccer_env.scenes.drills_attacks import ATTACKS
 from soccer_env.teams import make_team
 from soccer_env.train.casting import controllers_of
-from soccer_env.train.evaluate.drills import drills_of, run_drill
+from soccer_env.train.evaluate.drills import drills_of
 from soccer_env.train.pages.tables.drills import TEAMS, drills_table
 
 
@@ -31,11 +31,6 @@ def test_a_save_is_the_business_of_aways_goalkeeper_and_all_else_of_homes_robot(
     assert controllers_of(SCENES["gap-500"], "chaser") == {"home": "chaser", "away_0": "still", "away_1": "still"}
 
 
-def test_who_stands_still_scores_nothing_and_lets_shots_in() -> None:
-    assert run_drill("legged-2001", SCENES["ball-in-corner"], "still", 8) == 0
-    assert run_drill("middle-size-2006", SCENES["shot-at-keeper"], "still", 16) < 12
-
-
 def test_a_table_has_a_row_a_drill_and_a_column_a_team() -> None:
     row = {"league": "legged-2001", "drill": "facing-wall", "rules": "simple", "runs": 100}
     rows = [row | {"team": "still", "successes": 0}, row | {"team": "chaser", "successes": 97}]
@@ -45,9 +40,3 @@ def test_a_table_has_a_row_a_drill_and_a_column_a_team() -> None:
     assert "| middle-size-2006 [%] | `chaser` |\n|---|---|\n| `empty-goal` | 97 |\n\n" in text
     end = "100 runs each by sensors, seed 1; 95 % intervals (Wilson) are at most 5 points to either side."
     assert text.endswith(end)
-
-
-def test_a_drill_that_a_team_did_not_play_is_a_dash() -> None:
-    row = {"league": "legged-2001", "rules": "simple", "runs": 100, "successes": 97}
-    rows = [row | {"drill": "a", "team": "x"}, row | {"drill": "b", "team": "y"}]
-    assert "| `a` | 97 | - |\n| `b` | - | 97 |" in drills_table({"seed": 1, "rows": rows})

@@ -11,8 +11,8 @@ from soccer_env.train.papers.claims.ball.velocity import true_radial
 from soccer_env.train.papers.plots import plot
 from soccer_env.train.papers.staging import begin_scene, distance_to_ball, play, put, put_ball, stage, still_actions
 from soccer_env.train.papers.true_sight import blind_cameras, follow_ball, restore_cameras, stare_at_ball
-from soccer_env.train.papers.values import bin_masks, least_rise, middles_of
-from soccer_env.train.papers.verdicts import Samples, measured, reported
+from soccer_env.train.papers.values import bin_masks, middles_of
+from soccer_env.train.papers.verdicts import Samples, measured
 
 MATCHES, SECONDS = 32, 30.0  # [s] of each match
 SIGHT = 3.0  # [s] of sight between two times without
@@ -157,11 +157,6 @@ S19 = claim(
     measured("without the rule: error after long gaps over that without", long_gap_error_ratio, "kicked off",
              above=1.0),
     measured("with the rule: error after long gaps over that without", long_gap_error_ratio, "kicked on", at_most=1.25),
-    reported("without the rule, least rise from bin to bin of the gap",
-             lambda samples: least_rise(error_by_gap(samples, "kicked off")), unit="cm/s"),
-    reported("without the rule, no gap", lambda samples: error_by_gap(samples, "kicked off")[0], unit="cm/s"),
-    reported("in play, without the rule: the first ratio", long_gap_error_ratio, "play off"),
-    reported("in play, with the rule: the second ratio", long_gap_error_ratio, "play on"),
     measure=compare_velocity_gate,
     figures=plot("Radial velocity after a gap in sight", "gap [s]", "rms error [cm/s]", GAPS,
                  {title: partial(error_by_gap, name=name)

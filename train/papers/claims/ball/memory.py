@@ -128,7 +128,6 @@ S12 = claim(
     measured("rotation only: error over that of the full update", ratio, "place rotation", "place full", median,
              at_least=3.0),
     reported("no update: median error of the place", "place none", of=median, unit="cm"),
-    reported("rotation only: the same", "place rotation", of=median, unit="cm"),
 
     measure=compare_memories, seconds=1.5,
     ingredients=("sensors.odometry_noise", "drive.slip", "memory.odometry"),
@@ -154,8 +153,6 @@ S14 = claim(
     f"{MATCHES} robots a batch push a ball that they no longer see for {PUSHED:g} s at {100 * DRIBBLE:.0f} "
     "cm/s; error of the believed place at the end with the update and without, same seeds, lost balls included.",
     measured("median error without the update over that with it", ratio, "off", "on", median, at_most=0.5),
-    reported("without the update", "off", of=median, unit="cm"),
-    reported("with the update", "on", of=median, unit="cm"),
     measure=compare_dribbling, seconds=0.8,
     without=Ablation(f"a ball that stays between the paws: here they turn at {TURN:g} rad/s, and most balls are lost",
                      lambda batch: compare_dribbling(batch, turn=1.0)),

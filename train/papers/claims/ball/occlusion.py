@@ -17,7 +17,7 @@ from soccer_env.train.papers.claims.ball.range import OLD
 from soccer_env.train.papers.plots import plot_bins
 from soccer_env.train.papers.staging import LEGGED
 from soccer_env.train.papers.true_sight import ball_angle, ball_in_sight, look_first, range_from_camera, stare_at_ball
-from soccer_env.train.papers.values import known, least_rise, median, ratio
+from soccer_env.train.papers.values import least_rise, median, ratio
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
 MATCHES = 192
@@ -186,7 +186,6 @@ S08 = claim(
     f"{SCENES}; a dimension counts as cut if less than {100 * CUT:.0f} % of it is left.",
     measured("cut in one dimension: median error", lambda s: abs(bias_of_hidden_balls(s, 1)), unit="%", at_most=10.0),
     measured("cut in both: median error", bias_of_hidden_balls, 2, unit="%", at_least=30.0),
-    reported("not cut: median error", bias_of_hidden_balls, 0, unit="%"),
     reported("cut in one dimension, by width alone: median error", bias_of_hidden_balls, 1, "width", unit="%"),
     measure=compare_dimensions, figures=hidden_figure,
     ingredients=("bodies that hide what lies behind them, perception/legged/picture.py", "where the others stand"),
@@ -224,8 +223,6 @@ S09 = claim(
     "which the camera's axis meets the ball; and the same balls unobstructed, at the centre, for false triggers.",
     measured("mean error with the rule over that without", ratio, "on", "off", at_most=0.5),
     counted("unobstructed frames in which the rule changes the range", "triggers", "judged", at_most=2.0),
-    reported("mean error without the rule", "off", unit="cm"),
-    reported("frames of hidden balls that count", lambda samples: float(len(known(samples["off"])))),
     measure=compare_infrared_rule, least=4,
     ingredients=("sensors.infrared_pointing, infrared_growth", "memory.centred", "belief/legged/head.py"),
 )  # fmt: skip

@@ -189,7 +189,6 @@ S11 = claim(
              at_most=5.0),
     reported("fewer jumps by the height test alone", fewer_jumps, "horizon", unit="%"),
     reported("fewer jumps by the area thresholds alone", fewer_jumps, "area", unit="%"),
-    reported("jumps a minute without the rules", lambda s: float(s["jumps none"].mean() * 60.0 / TIME)),
     measure=lambda batch: compare(RULE_SETS, partial(count_jumps, batch)), batches=24, seconds=4.0,
     ingredients=("sensors.patches, patch_low, red_as_orange", "memory.horizon_angle, area_small, area_large"),
 )  # fmt: skip

@@ -85,12 +85,6 @@ def interval_errors(samples: Samples, how: str) -> list[float]:
     return [100 * rms(samples[f"{how} {interval}"]) for interval in INTERVALS]
 
 
-def interval_error_ratio(samples: Samples, how: str, one: int, other: int = 2) -> float:
-    """Return the error at interval `one` divided by the error at interval `other`, both indices of INTERVALS."""
-    errors = interval_errors(samples, how)
-    return errors[one] / max(errors[other], 1e-9)
-
-
 def count_misjudged_readings(batch: Batch, **settings: Any) -> Samples:
     """Count velocity readings of stuck and walking robots about 60 cm from the ball, and readings that misjudge."""
     shifts = batch.rng(1).uniform(-AROUND, AROUND, MATCHES)
@@ -124,13 +118,6 @@ S18 = claim(
     measured("walking: least fall of the rms error from interval to interval",
              lambda s: least_fall(interval_errors(s, "walking")), unit="cm/s", above=0.0),
     measured("standing: the same", lambda s: least_fall(interval_errors(s, "standing")), unit="cm/s", above=0.0),
-    reported("walking: rms error at 0.17 s over that at 0.33 s", interval_error_ratio, "walking", 1),
-    reported("walking: rms error at 0.08 s over that at 0.33 s", interval_error_ratio, "walking", 0),
-    reported("walking: rms error at 0.67 s over that at 0.33 s", interval_error_ratio, "walking", 3),
-    reported("standing: rms error at 0.17 s over that at 0.33 s", interval_error_ratio, "standing", 1),
-    reported("walking: rms error at 0.17 s, against a real movement of 12 cm/s",
-             lambda samples: interval_errors(samples, "walking")[1], unit="cm/s"),
-    reported("walking: the same at 0.33 s", lambda samples: interval_errors(samples, "walking")[2], unit="cm/s"),
     measure=sweep_intervals,
     figures=plot("Error of the radial velocity", "interval between readings [s]", "rms error [cm/s]", INTERVALS,
                  {how: partial(interval_errors, how=how) for how in ("walking", "standing")}, rules=(100 * TOP_SPEED,)),

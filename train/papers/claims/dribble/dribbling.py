@@ -14,7 +14,6 @@ from soccer_env.train.papers.claim import Batch, claim
 from soccer_env.train.papers.dribble_runs import COUNTED, LOST, NO_SHOTS, losses, place_with_ball, record_dribble
 from soccer_env.train.papers.plots import columns, plot
 from soccer_env.train.papers.staging import LEGGED, put, stage, stage_team, still_actions
-from soccer_env.train.papers.values import percent
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
 MATCHES = 64
@@ -63,9 +62,9 @@ def losses_per_metre(samples: Samples, world: str = "") -> list[float]:
     return [float(value) for value in lost / np.maximum(metres, 1e-9)]
 
 
-def loss_increase(samples: Samples, world: str = "") -> float:
+def loss_increase(samples: Samples) -> float:
     """Return the losses per metre at a step length of 4 cm minus twice the losses at 3.5 cm."""
-    by_step = losses_per_metre(samples, world)
+    by_step = losses_per_metre(samples)
     return by_step[STEPS.index(0.040)] - 2.0 * by_step[STEPS.index(PAPER_STEP)]
 
 
@@ -76,13 +75,6 @@ S51 = claim(
     "is lost. Beside it the same with the body of one piece.",
     counted(f"kept over {COUNTED:g} m at 3.5 cm", "kept at 3.5", "tried at 3.5", at_least=80.0),
     measured("losses per metre at 4 cm less twice those at 3.5 cm", loss_increase, above=0.0),
-    reported("losses per metre at 3.5 cm", lambda s: losses_per_metre(s)[STEPS.index(PAPER_STEP)]),
-    reported("losses per metre at 4 cm", lambda s: losses_per_metre(s)[STEPS.index(0.040)]),
-    reported("body of one piece: kept over 1 m at 3.5 cm", percent, "smooth kept at 3.5", "smooth tried at 3.5",
-             unit="%"),
-    reported("body of one piece: losses per metre at 3.5 cm", lambda s: losses_per_metre(s, "smooth ")[1]),
-    reported("body of one piece: losses per metre at 4 cm", lambda s: losses_per_metre(s, "smooth ")[2]),
-    reported("body of one piece: at 4 cm less twice those at 3.5 cm", loss_increase, "smooth "),
     measure=measure_in_both_worlds(dribble_steps),
     figures=plot("Balls lost by a dribbler", "length of a step [cm]", "losses per metre",
                  [100 * step for step in STEPS],
@@ -117,15 +109,15 @@ def walking_actions(match: Match, step: float, angle: np.ndarray) -> np.ndarray:
     return actions
 
 
-def wide_angle_loss_difference(samples: Samples, world: str = "") -> float:
+def wide_angle_loss_difference(samples: Samples) -> float:
     """Return the share of balls lost [%] at 60 degrees and more minus the share at 45 degrees and less."""
-    shares, angles = np.array(columns(f"{world}lost")(samples)), np.array(ANGLES)
+    shares, angles = np.array(columns("lost")(samples)), np.array(ANGLES)
     return float(shares[angles >= 60.0].mean() - shares[angles <= KNEE].mean())
 
 
-def half_loss_angle(samples: Samples, world: str = "") -> float:
+def half_loss_angle(samples: Samples) -> float:
     """Return the angle [degrees] at which losses reach half of their maximum, by linear interpolation."""
-    shares = columns(f"{world}lost")(samples)
+    shares = columns("lost")(samples)
     half = 0.5 * max(shares)
     above = next((i for i, value in enumerate(shares) if value > half), 0)
     if above == 0:
@@ -141,8 +133,6 @@ S59 = claim(
     "reach half of their greatest share. Beside it the same with the body of one piece.",
     measured("lost at 60 degrees and more, less lost at 45 and less", wide_angle_loss_difference, unit="%", above=10.0),
     measured("knee", half_loss_angle, unit="degrees", at_least=KNEE - KNEE_ROOM, at_most=KNEE + KNEE_ROOM),
-    reported("body of one piece: the difference", wide_angle_loss_difference, "smooth ", unit="%"),
-    reported("body of one piece: the knee", half_loss_angle, "smooth ", unit="degrees"),
     measure=measure_in_both_worlds(push_at_angles),
     figures=plot(f"Balls lost within {ASIDE_SECONDS:g} s of walking aside", "angle off straight ahead [degrees]",
                  "balls lost [%]", ANGLES,
@@ -188,12 +178,6 @@ S60 = claim(
     f"45 or 55 degrees. Caught: in touch with the other and slower than {100 * CAUGHT:g} cm/s of the 7 that it wants. "
     "Beside it the same with the body of one piece.",
     measured("share of time caught at 45 degrees less that at 55", blocked_time_difference, unit="%", above=0.0),
-    reported("caught at 45 degrees", "caught", 0, unit="%"),
-    reported("caught at 55 degrees", "caught", 1, unit="%"),
-    reported("distance made at 45 degrees", "made", 0, unit="cm"),
-    reported("distance made at 55 degrees", "made", 1, unit="cm"),
-    reported("body of one piece: caught at 45 degrees", "smooth caught", 0, unit="%"),
-    reported("body of one piece: caught at 55 degrees", "smooth caught", 1, unit="%"),
     reported("body of one piece: the difference", blocked_time_difference, "smooth ", unit="%"),
     measure=measure_in_both_worlds(push_past_robot), batches=16, seconds=2.0,
     ingredients=("the robots' outlines and their friction", "traction and thrust"),

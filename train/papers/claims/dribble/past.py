@@ -56,13 +56,6 @@ S62 = claim(
     "S62", "4.3.4", "A dribbling robot consistently avoids stationary players.",
     f"{MATCHES} runs a batch past one, two and three players who stand on the way to the goal. {RULES}",
     measured("clean, over one to three players", "clean", unit="%", at_least=95.0),
-    *(reported(f"clean, {i + 1}", "clean", i, unit="%") for i in range(3)),
-    reported("past without a contact that stopped it or turned somebody", "free", unit="%"),
-    reported("the same, one", "free", 0, unit="%"),
-    reported("past with the ball, touched or not", "past", unit="%"),
-    reported("ball lost", "lost", unit="%"),
-    reported("one: median distance between middles of bodies at the nearest",
-             lambda s: 100.0 * float(np.median(s["nearest"][:, 0])), unit="cm"),
     reported("one, ideal senses: clean", "clean ideal", unit="%"),
     reported("one who stands 90 to 150 cm off at the start: clean", "clean afar", unit="%"),
     measure=dribble_past_still,
@@ -95,13 +88,6 @@ S63 = claim(
     f"{FEWER} runs a batch in each of {', '.join(MOVING)}, the mover at 3, 6, 9 and 12 cm/s. Up to 6 cm/s "
     f"decides; the paper gives no speed, and a dribbler makes 7. {RULES}",
     measured("clean, at 3 and 6 cm/s", "clean", speed_columns(0.03, 0.06), unit="%", at_least=80.0),
-    *(reported(f"clean, {100 * speed:.0f} cm/s", "clean", speed_columns(speed), unit="%")
-      for speed in SPEEDS),
-    *(reported(f"clean at 3 and 6 cm/s, {text}", "clean", drill_columns(i, SLOW), unit="%")
-      for i, text in enumerate(("near at the start", "far at the start", "head-on"))),
-    reported("at 3 and 6 cm/s: past without a contact that stopped it or turned somebody", "free",
-             speed_columns(0.03, 0.06), unit="%"),
-    reported("past with the ball, touched or not, all speeds", "past", unit="%"),
     measure=lambda batch: play_all(batch, [(scene, {}, speed) for scene in MOVING for speed in SPEEDS], FEWER),
     figures=plot("Dribbling past one mover", "its speed [cm/s]", "clean runs [%]", [100 * speed for speed in SPEEDS],
                  {scene.removeprefix("dribble-past-"): columns(part("clean", ..., drill_columns(i)))
@@ -142,7 +128,6 @@ S52 = claim(
              lambda s: fitted_clean_share(s, 0.125, 0.25) - fitted_clean_share(s, 0.5), unit="%", at_most=5.0),
     measured("curve at 0.5 s less at 1 s", lambda s: fitted_clean_share(s, 0.5) - fitted_clean_share(s, 1.0),
              unit="%", above=0.0),
-    *(reported(f"clean at {time:g} s", "clean", REPLANS.index(time), unit="%") for time in REPLANS),
     measure=compare_decision_times, batches=7, seconds=8.0,
     figures=plot_curves("Dribbling by the time between decisions", "time [s]", "runs [%]",
                         {"without a touch": lambda s: (REPLANS, columns("clean")(s)),
@@ -197,11 +182,6 @@ S64 = claim(
     measured("clean, a mover and a still player behind", "clean", BEHIND, unit="%", above=50.0),
     measured("the least other class less mover and still on opposite sides",
              lambda s: min(clean(s)[:-1]) - clean(s)[-1], unit="%", above=0.0),
-    *(reported(f"clean, {name}", "clean", i, unit="%") for i, (name, _) in enumerate(CLASSES) if i != BEHIND),
-    *(reported(f"past without a contact that stopped it or turned somebody, {name}", "free", i,
-               unit="%") for i, (name, _) in enumerate(CLASSES)),
-    *(reported(f"past, touched or not, {name}", "past", i, unit="%")
-      for i, (name, _) in enumerate(CLASSES)),
     measure=dribble_past_classes, batches=6, seconds=8.0,
     ingredients=("the walker goes straight on and never gives way", "the drills' places, STILL_BEHIND here"),
     note=BODIES,
@@ -213,8 +193,6 @@ S43 = claim(
     f"is read as {AS_WELL:g} points more at most. {RULES}",
     measured("touched, one mover less one who stands", lambda s: touched(s)[1] - touched(s)[0], unit="pp",
              at_most=AS_WELL),
-    *(reported(f"touched, {text}", "touched", i, unit="%")
-      for i, text in ((0, "one still player"), (1, "one mover"))),
     measure=dribble_past_classes, batches=6, seconds=8.0,
     ingredients=("the walker goes straight on and never gives way",),
     note="The field has positions alone, no velocities.",

@@ -94,10 +94,6 @@ S53 = claim(
     "points of its best.",
     *(measured(f"{who}: least sufficient {axis}, moving over standing", moving_over_standing_value, who, axis,
                above=1.0) for who in ("points", "robots") for axis in AXES),
-    *(reported(f"{who}: least sufficient {axis}, {kind}", least_sufficient_value, who, kind, axis, unit="m")
-      for who in ("points", "robots") for axis in AXES for kind in KINDS),
-    *(reported(f"{who}, {kind}: success with the paper's", f"{who} {kind} k2 {PAPER[0]:g}", unit="%")
-      for who in ("points", "robots") for kind in KINDS),
     measure=vary_each_constant, least=2, batches=5, seconds=12.0,
     figures=plots(*(plot_curves(f"Passing a player without touching it, against {axis}", f"{axis} [m]", "runs [%]",
                                 {f"{who}, {kind}": partial(success_curve, who=who, kind=kind, axis=axis)
@@ -161,9 +157,6 @@ S65 = claim(
     reported("x0 tuned past standing players alone", "short range", unit="m"),
     reported("k2 tuned with points", "gain", unit="m"),
     reported("x0 tuned with points", "range", unit="m"),
-    *(reported(f"{who}, {kind}, {title}", clean_share, who, name, (kind,), unit="%")
-      for name, title in (("tuned", "constants of the points"), ("paper", "the paper's"))
-      for who in ("points", "robots") for kind in KINDS),
     measure=compare_tuned_constants, least=3, batches=6, seconds=8.0,
     ingredients=("23 cm between two middles as a collision of points, which tells them how large bodies are",),
     note="Tuned so that the coming player is passed as well, points choose forces that are stronger and reach farther "

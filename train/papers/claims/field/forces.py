@@ -72,10 +72,6 @@ S44 = claim(
              unit="cm", above=0.0),
     measured("greatest turn rises with the exponent (least rise of the median)", lambda s: least_rise(peaks(s)),
              unit="deg", above=0.0),
-    *(reported(f"exponent {n}: first reaction", lambda s, i: onsets(s)[i], i, unit="cm")
-      for i, n in enumerate(EXPONENTS)),
-    *(reported(f"exponent {n}: greatest turn", lambda s, i: peaks(s)[i], i, unit="deg")
-      for i, n in enumerate(EXPONENTS)),
     rules=NO_MATCH, measure=compare_exponents, figures=exponent_figures, batches=8, seconds=0.5,
     ingredients=("the distance at which the exponents are matched: where the paper's force is 1",),
 )  # fmt: skip
@@ -106,8 +102,6 @@ S46 = claim(
     measured("unit force: greatest difference", lambda s: float(reaction_difference(s, "unit").max()), unit="deg",
              at_most=1e-6),
     reported("proportional force: mean difference", lambda s: mean(reaction_difference(s, "proportional")), unit="deg"),
-    reported("proportional, near: mean size", lambda s: mean(np.abs(s["proportional near"])), unit="deg"),
-    reported("proportional, far: mean size", lambda s: mean(np.abs(s["proportional far"])), unit="deg"),
     rules=NO_MATCH, measure=compare_reactions, batches=4, seconds=0.5,
     without=Ablation("a goal force of size 1 everywhere; here it is k1 times the distance, k1 = 1/m assumed",
                      partial(compare_reactions, goal_force="proportional")),
@@ -137,14 +131,8 @@ S47 = claim(
              above=0.0),
     measured("collisions with the factor less those without",
              lambda s: 100 * (mean(s["hit with"]) - mean(s["hit without"])), unit="pp", at_most=FEW_MORE),
-    reported("deviation with the factor", "deviation with", of=median, unit="cm"),
-    reported("deviation without", "deviation without", of=median, unit="cm"),
     measured("robots: deviation is less by (medians)", reduction, "robots deviation with",
              "robots deviation without", median, unit="%", above=0.0),
-    reported("robots: clean with the factor", "robots clean with", unit="%"),
-    reported("robots: clean without", "robots clean without", unit="%"),
-    reported("extra length of the path is less by",
-             lambda s: 100 * (median(s["length without"]) - median(s["length with"])), unit="cm"),
     measure=compare_cosine_factor, batches=6, seconds=4.0,
     figures=lambda samples: [points.draw_field(f"Forces {word} the cosine factor", [[0.0, 0.15]],
                                                {"with the cosine": {}, "without": {"cosine_factor": False}}, **play)

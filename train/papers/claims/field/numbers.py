@@ -196,9 +196,6 @@ S42 = claim(
     measured("planning's share of a robot's computing", planning_time_share, unit="%", below=5.0),
     reported("the same if each decision planned the whole way",
              lambda s: planning_time_share(s, float(s["way"].mean())), unit="%"),
-    reported("time for a decision, its point's motion included", lambda s: undisturbed_time(s["time"]), unit="us"),
-    reported("time for a robot's whole frame", lambda s: undisturbed_time(s["frame"]), unit="us"),
-    reported("share of the 62.5 ms between two frames", lambda s: undisturbed_time(s["time"]) / 625.0, unit="%"),
     rules=PLAYED, measure=time_decisions, timed=True, batches=4, seconds=1.0,
     ingredients=("the machine, and compiled code: numbers differ from run to run",),
 )  # fmt: skip

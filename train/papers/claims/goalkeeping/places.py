@@ -16,7 +16,7 @@ from soccer_env.skills.sight import SIGHT
 from soccer_env.train.papers.claim import NO_MATCH, Ablation, Batch, claim
 from soccer_env.train.papers.staging import MIDDLE
 from soccer_env.train.papers.values import mean, median
-from soccer_env.train.papers.verdicts import Samples, measured, reported
+from soccer_env.train.papers.verdicts import Samples, measured
 
 SCENES = 300  # of a batch
 BALLS, ANGLES = (2.0, 6.0), (0.0, 1.0)  # [m], [rad] of a still ball from the middle of the goal
@@ -83,9 +83,6 @@ H17 = claim(
              at_least=95.0),
     measured("it is better than 50 cm off by (mean)",
              lambda s: mean(np.minimum(s["off 0.5"], s["off -0.5"]) - s["on"]), unit="deg", above=1.0),
-    reported("open angle on d", "on", unit="deg"),
-    reported("open angle at the best of these places", lambda s: mean(s["on"] + np.minimum(open_angle_gains(s), 0)),
-             unit="deg"),
     rules=NO_MATCH, measure=compare_open_angles, batches=4, seconds=0.2,
     ingredients=("the keeper as a disc of its body's radius",),
 )  # fmt: skip
@@ -125,8 +122,6 @@ H21 = claim(
     measured("one way over the other (median)", lambda s: median(s["perpendicular"] / s["crossing"]), at_most=0.7),
     measured("shots to which the perpendicular is the shorter",
              lambda s: 100 * mean(s["perpendicular"] <= s["crossing"] + 1e-9), unit="%", at_least=99.0),
-    reported("perpendicular way (mean)", "perpendicular", unit="cm"),
-    reported("way to the crossing (mean)", "crossing", unit="cm"),
     rules=NO_MATCH, measure=interception_distances, batches=4, seconds=0.2,
     without=Ablation("the perpendicular: here the keeper moves along its line to where the ball will cross it",
                      partial(interception_distances, along_line=True)),

@@ -9,7 +9,7 @@ from soccer_env.match import Match
 from soccer_env.scenes import find_scene
 from soccer_env.train.papers.claim import FIRST, PLAYED, Batch, claim, compare
 from soccer_env.train.papers.staging import MIDDLE, make_matches
-from soccer_env.train.papers.values import mean, median
+from soccer_env.train.papers.values import median
 from soccer_env.train.papers.verdicts import Samples, measured, reported
 
 MATCHES, SETTLE, SECONDS = 8, 2.0, 12.0  # of 5 v 5, [s] not measured, [s] of each
@@ -115,10 +115,7 @@ H25 = claim(
     "none. To win is read as most runs.",
     measured("past without a touch", "coloured clean", unit="%", above=50.0),
     measured("uncoloured ball: past", "plain past", unit="%", above=50.0),
-    reported("past, touched or not", "coloured past", unit="%"),
-    reported("uncoloured ball: past without a touch", "plain clean", unit="%"),
     reported("past without a touch, ideal senses", "ideal clean", unit="%"),
-    reported("difference by the ball, of 100 runs", lambda s: 100 * mean(s["coloured past"] - s["plain past"])),
     measure=lambda batch: compare(BALLS, partial(dribble_round, batch), FIRST), batches=12, seconds=2.0,
     ingredients=("dribbles_round, which the team leaves off in matches", "the drill's places"),
 )  # fmt: skip

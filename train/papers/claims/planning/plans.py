@@ -40,7 +40,6 @@ H04 = claim(
     f"{CELLS} cells of the field.",
     measured("conventional planner: evaluations a plan", lambda s: 100 * mean(s["old"]) / CELLS, unit="%", at_most=5.0),
     measured("time-variant planner: evaluations a plan", lambda s: 100 * mean(s["new"]) / CELLS, unit="%", at_most=5.0),
-    reported("of the time-variant one, 99 % below", lambda s: 100 * quantile(s["new"], 0.99) / CELLS, unit="%"),
     rules=NO_MATCH, measure=evaluations, batches=4, seconds=0.6,
     ingredients=ASSUMED,
     note=LOOKED_AT,
@@ -98,8 +97,6 @@ H06 = claim(
              unit="deg", above=2.0),
     measured("the way is longer by", lambda s: 100 * mean(s["back length"] - s["fore length"]) / WAY, unit="%",
              at_most=1.0),
-    reported("first heading, backwards", "back heading", unit="deg"),
-    reported("first heading, forwards", "fore heading", unit="deg"),
     rules=NO_MATCH, measure=compare_directions, batches=4, seconds=0.8,
     ingredients=ASSUMED,
 )  # fmt: skip
@@ -135,11 +132,6 @@ def time_plan(*scene: np.ndarray) -> float:
     return 1e6 * min(spent) / LOOPS
 
 
-def of_cycle(samples: Samples, name: str) -> float:
-    """Return the mean time of a plan on a processor SLOWER times as slow as this one [% of a cycle of 20 ms]."""
-    return 1e-4 * SLOWER * mean(samples[name]) / CYCLE
-
-
 def measure_whole_cycle(batch: Batch) -> Samples:
     """Return the processor time [ms] of one robot's whole cycle (M,): picture, own pose, tracks, plan, command.
 
@@ -167,7 +159,6 @@ H02 = claim(
     "(assumed).",
     measured("time that 1 % of the cycles exceed", lambda s: SLOWER * quantile(s["cycle"], 0.99), unit="ms",
              at_most=1000.0 * CYCLE),
-    reported("time of a cycle on this machine (median)", "cycle", of=median, unit="ms"),
     rules=PLAYED, measure=measure_whole_cycle, timed=True, batches=2, seconds=2.0,
     ingredients=("the machine, and compiled code: numbers differ from run to run",),
 )  # fmt: skip
@@ -179,12 +170,6 @@ H15 = claim(
     "which is another meaning of \"comparable\".",
     measured("plans of one pass, of which the sentence speaks: time over the conventional planner's (means)",
              lambda s: mean(s["new"][s["new passes"] == 1]) / mean(s["old"][s["new passes"] == 1]), at_most=3.0),
-    reported("all plans: means", lambda s: mean(s["new"]) / mean(s["old"])),
-    reported("all plans: median of the ratio", lambda s: median(s["new"] / s["old"])),
-    reported("all plans: ratio that 1 % exceed", lambda s: quantile(s["new"] / s["old"], 0.99)),
-    reported("conventional plan, of a cycle of 20 ms", of_cycle, "old", unit="%"),
-    reported("time-variant plan, of a cycle of 20 ms", of_cycle, "new", unit="%"),
-    reported("conventional plan on this machine", "old", unit="us"),
     rules=NO_MATCH, measure=measure_planning_times, condition="in plans of one pass", timed=True, batches=2,
     seconds=1.0,
     ingredients=("the machine, and compiled code: numbers differ from run to run",),
@@ -230,7 +215,6 @@ H12 = claim(
     "H12", "3", "The straight line's time at full speed always underestimates the path's time.",
     f"{PLANNED}; time of the path over the time of the straight line.",
     exact("smallest ratio", lambda s: float(s["smooth ratio"].min()), at_least=1.0 - 1e-9),
-    reported("mean ratio", "smooth ratio"),
     rules=NO_MATCH, measure=measure_plan_times, batches=2, seconds=0.8,
     without=Ablation("one speed for both: here the straight line is timed at 0.9 of it",
                      partial(measure_plan_times, slower=1 / 0.9)),
@@ -244,7 +228,6 @@ H13 = claim(
     measured("plans that do not converge", "smooth open", unit="%", at_most=10.0),
     reported("plans that run into the obstacle", "smooth into", unit="%"),
     reported("they alone: plans that do so", "literal into", unit="%"),
-    reported("plans of one pass", lambda s: 100 * mean(s["smooth passes"] == 1), unit="%"),
     reported("the paper's words alone: passes (median)", "literal passes", of=median),
     reported("they alone: plans that do not converge", "literal open", unit="%"),
     rules=NO_MATCH, measure=measure_plan_times, condition="with damping and smoothing, not as written", batches=4,
@@ -269,7 +252,6 @@ H14 = claim(
     f"The first plans of both canonical crossings, equal for every seed. Without their choice: {PLANNED}.",
     exact("most passes", "passes", of=np.max, at_most=1.0),
     exact("greatest error of T after the first", "error", of=np.max, unit="s", below=0.1),
-    reported("planned in one pass", lambda s: 100 * mean(s["passes"] == 1), unit="%"),
     rules=NO_MATCH, measure=first_plans, batches=1, seconds=0.1,
     without=Ablation("the choice of both scenes, by a sketch of the planner: here random ones",
                      partial(first_plans, chosen=False)),

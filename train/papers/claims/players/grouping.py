@@ -121,11 +121,6 @@ S33 = claim(
              above=0.0),
     measured("ghosts and misses at a factor of 3 less the fewest at another factor < 0, of the players visible, in "
              "each jersey", lambda samples: float(excess_over_best_factor(samples).max()), unit="%", below=0.0),
-    *(reported(f"the same, stickers {jersey:g} times as large", lambda s, j: float(excess_over_best_factor(s)[j]),
-               j, unit="%") for j, jersey in enumerate(JERSEYS)),
-    *(reported(f"ghosts and misses at {factor:g}, stickers of their own size", lambda s,
-               factor: float(total_error_share(s, factor)[JERSEYS.index(1.0)]), factor, unit="%")
-      for factor in FACTORS),
     measure=try_factors, condition="in the worst of three sizes of assumed stickers",
     figures=plots(*(plot(f"Two players in view, stickers {jersey:g} times as large",
                          "grouping factor [sizes of the larger blob]", "per visible player [%]", FACTORS,

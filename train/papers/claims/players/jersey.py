@@ -15,8 +15,8 @@ from soccer_env.train.papers.claim import Ablation, Batch, claim
 from soccer_env.train.papers.claims.players import watching
 from soccer_env.train.papers.plots import Drawing, columns, part, plot, plot_bins, plots
 from soccer_env.train.papers.staging import OPEN_FLOOR, begin_scene, put, record, still_actions
-from soccer_env.train.papers.values import bin_masks, mean, median, ratio, rms, row_means, subtract_row_mean
-from soccer_env.train.papers.verdicts import Samples, measured, reported
+from soccer_env.train.papers.values import mean, median, ratio, rms, row_means, subtract_row_mean
+from soccer_env.train.papers.verdicts import Samples, measured
 
 JERSEYS = (0.7, 1.0, 1.3)  # [1] scale of all stickers
 RUNS = 32  # of each jersey
@@ -95,14 +95,14 @@ def variation(sizes: np.ndarray) -> np.ndarray:
     return np.asarray((np.sqrt(square) / np.maximum(middle, 1e-9)).mean(axis=0))
 
 
-def width_over_height(samples: Samples, which: str = "") -> float:
+def width_over_height(samples: Samples) -> float:
     """Return the variation of the width over the views divided by the variation of the height, in the worst jersey."""
-    return float((variation(samples[f"{which}width"]) / variation(samples[f"{which}height"])).min())
+    return float((variation(samples["all width"]) / variation(samples["all height"])).min())
 
 
-def front_over_side(samples: Samples, which: str = "") -> np.ndarray:
+def front_over_side(samples: Samples) -> np.ndarray:
     """Return the height seen head-on divided by the height seen from the side, for each jersey (jerseys,)."""
-    height = samples[f"{which}height"]
+    height = samples["height"]
     front, side = height[:, :, FRONT].mean(axis=2), height[:, :, SIDES].mean(axis=2)
     return np.array([mean(front[:, j] / side[:, j]) for j in range(len(JERSEYS))])
 
@@ -132,11 +132,9 @@ S37 = claim(
     "S37", "4.1.2", "A player's width varies with the view, its height hardly: slightly smaller head-on.",
     f"{HOW}; coefficient of variation of width and height of the box round all stickers over the sectors, and "
     "heights of the largest sticker; the worst jersey counts.",
-    measured("player: variation of the width over the height's", width_over_height, "all ", at_least=3.0),
+    measured("player: variation of the width over the height's", width_over_height, at_least=3.0),
     measured("largest sticker: height head-on over that from the side",
              lambda samples: float(front_over_side(samples).max()), below=1.0),
-    reported("largest sticker: variation of width over that of height", width_over_height),
-    reported("player: height head-on over that from the side", lambda s: float(front_over_side(s, "all ").mean())),
     measure=measure_all_sides,
     figures=plot_over_views(SIZES, "Size of a player by the angle of view", "size [px]", 1.0), seconds=1.5,
     without=EQUAL_STICKERS,
@@ -155,10 +153,6 @@ S38 = claim(
     measured("head-on table less side table, mean error in all views",
              lambda samples: float((bias(samples, "front", ALL) - bias(samples, "side", ALL)).max()), unit="%",
              below=0.0),
-    reported("head-on table: mean error head-on", lambda s: float(bias(s, "front", FRONT).mean()), unit="%"),
-    reported("head-on table: mean error from the side", lambda s: float(bias(s, "front", SIDES).mean()), unit="%"),
-    reported("side table: mean error head-on", lambda s: float(bias(s, "side", FRONT).mean()), unit="%"),
-    reported("side table: mean error in the other views", lambda s: float(bias(s, "side", ASIDE).mean()), unit="%"),
     measure=measure_all_sides,
     figures=plot_over_views(TABLES, "Range error of a player by the angle of view", "mean error [%]", 100.0),
     seconds=1.5,
@@ -242,11 +236,6 @@ S39 = claim(
              lambda samples: float(sticker_range_ratios(samples, "largest").max()), at_most=1.2),
     measured("scatter of the largest blob's range over that of the combined",
              ratio, "largest", "combined", scatter, below=1.0),
-    *(reported(f"frames without a head sticker at the far end, 2.3 to 2.6 m, stickers {jersey:g} times as large",
-               lambda s, j: 100 * (1.0 - mean(s["head"][bin_masks(s["distance"], BINS)[-1], j])), j, unit="%")
-      for j, jersey in enumerate(JERSEYS)),
-    reported("scatter, largest blob", lambda s: scatter(s["largest"]), unit="%"),
-    reported("scatter, combined", lambda s: scatter(s["combined"]), unit="%"),
     measure=compare_blobs,
     figures=plots(plot_bins("Scatter of a player's range", "distance [cm]", "deviation [%]",
                             {"largest blob": "largest", "all blobs": "combined"}, "distance", BINS, scatter, 1.0),

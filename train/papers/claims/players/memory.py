@@ -118,8 +118,6 @@ S35 = claim(
     measured("U/d: runs in which it comes to fill all three slots", lambda s: min(by_case(s, f"all {FIRST}")),
              unit="%", at_least=50.0),
     measured("U/(d^3 angle): time with one slot alone", lambda s: 100 - max(by_case(s, FINAL)), unit="%", above=50.0),
-    reported("U/d: two slots or more, at the least", lambda s: min(by_case(s, FIRST)), unit="%"),
-    *(reported(f"U/(d^3 angle), missed: {missed}", f"{FINAL}, {missed}", unit="%") for missed in MISSES),
     measure=compare_misses, figures=plot_slots(FIRST, FINAL), batches=10, seconds=6.0,
     ingredients=("memory.uncertainty_growth, assumed", "memory.ghost_time, assumed", "sensors.dither"),
     note="Where a frame misses all of the trunk's stickers, the one of the head is the largest blob that is left, the "
@@ -134,7 +132,6 @@ S36 = claim(
     reported("U/d^3", "U/d^3", unit="%"),
     reported("U/(d angle)", "U/(d a)", unit="%"),
     reported("U/d", "U/d", unit="%"),
-    reported("the angle takes away, of U/d^3", lambda s: 100 * mean(s["U/d^3"]) - 100 * mean(s["U/(d^3 a)"]), unit="%"),
     measure=compare_likelihoods, figures=plot_slots(*POWERS), batches=4, seconds=5.0,
     ingredients=("memory.uncertainty_growth, assumed", "memory.ghost_time, assumed", "sensors.dither"),
 )  # fmt: skip
@@ -212,11 +209,7 @@ S34 = claim(
     "after it, for each ghost and for each miss.",
     measured("added error for a ghost less that for a miss",
              lambda samples: 100 * (mean(samples["ghost"]) - mean(samples["miss"])), unit="cm", above=0.0),
-    reported("added error for a ghost", "ghost", unit="cm"),
-    reported("added error for a miss", "miss", unit="cm"),
     reported("error without either", "plain", unit="cm"),
-    reported("share of events that make a ghost", lambda s: 100 * float(np.isfinite(s["ghost"]).mean()), unit="%"),
-    reported("share of events that make a miss", lambda s: 100 * float(np.isfinite(s["miss"]).mean()), unit="%"),
     measure=compare_errors,
     figures=plot("What one frame's error does to the memory", "time since [s]", "added error [cm]",
                  np.linspace(0.0, AFTER, round(AFTER * RATE) + 1)[::POINT_EVERY],

@@ -10,7 +10,7 @@ from soccer_env.train.papers.claims.players.watching import look_at, nearest_see
 from soccer_env.train.papers.plots import columns, plot
 from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, put, still_actions
 from soccer_env.train.papers.values import bin_masks, least_rise, median, middles_of
-from soccer_env.train.papers.verdicts import Samples, measured, reported
+from soccer_env.train.papers.verdicts import Samples, measured
 
 SCENES = 64
 SPEEDS = (0.0, 0.03, 0.06, 0.12)  # [m/s] of the mover, up to a robot's top speed
@@ -100,9 +100,6 @@ S70 = claim(
              above=0.0),
     measured("least rise of the median error with the speed", lambda s: least_rise(columns("error", median)(s)),
              unit="cm", above=0.0),
-    reported("at top speed, seen from within 1 m", error_at_speed, SPEEDS[-1], False, unit="cm"),
-    reported("at top speed, seen from beyond 1 m", error_at_speed, SPEEDS[-1], True, unit="cm"),
-    reported("of players that stand, beyond 1 m: the sensors' part", error_at_speed, 0.0, True, unit="cm"),
     measure=walk_off,
     figures=plot("Error of a player's place when one gets there", "distance when seen [cm]", "error [cm]",
                  middles_of(BINS, 100),

@@ -96,8 +96,6 @@ S40 = claim(
     f"place, {100 * NEAR:.0f} to {100 * FAR:.0f} cm away; error of the latest range over the true one, frames that "
     "show it; all rules of both systems on.",
     measured("relative range error of players over the ball's", ratio, "player", "ball", rms, above=1.0),
-    reported("relative error, player (root mean square)", "player", of=rms, unit="%"),
-    reported("relative error, ball", "ball", of=rms, unit="%"),
     measure=compare_player_and_ball,
     figures=plot_bins("Range error of a player and of the ball", "distance [cm]", "rms error [%]",
                       {"player": "player", "ball": "ball"}, "true", np.linspace(NEAR, FAR, 8), rms),
@@ -111,8 +109,6 @@ S41 = claim(
     "seen from any side; frames in which the rule takes the reading, being under 40 cm while the player's largest blob "
     "is in the middle, whatever the beam met; range error with the rule and without, same seeds.",
     measured("error without the rule less that with it", gain, "without", "with", rms, unit="cm", above=0.0),
-    reported("error with the rule (root mean square)", "with", of=rms, unit="cm"),
-    reported("error without the rule", "without", of=rms, unit="cm"),
     reported("frames with a reading under 40 cm", "near", unit="%"),
     reported("frames in which the rule takes it", "taken", unit="%"),
     measure=compare_ranger_rule,
@@ -222,9 +218,7 @@ S61 = claim(
              at_least=MUCH),
     measured("bias by size, head down less head up", head_down_excess, unit="cm", above=0.0),
     measured("head down: overlooked frames that the obstacle detects", detected_share, unit="%", above=50.0),
-    reported("head down: bias by size", "down", unit="cm"),
     reported("head down: bias by infrared, of that difference by size", remaining_error_share, unit="%"),
-    *(reported(f"bias, head {name}", name, unit="cm") for name in ("up", "up by infrared", "down by infrared")),
     *(reported(f"frames that show it, head {name}", f"seen {name}", unit="%") for name in TILTS),
     *(reported(f"frames in which it is {name}", name, unit="%")
       for name in ("overlooked, head up", "overlooked, head down", "overlooked without the obstacle")),

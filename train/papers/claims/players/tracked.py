@@ -11,7 +11,7 @@ from soccer_env.train.papers.plots import each, plot
 from soccer_env.train.papers.staging import begin_scene, distance_to_point, play, put, still_actions, wrap_angle
 from soccer_env.train.papers.true_sight import turn_head
 from soccer_env.train.papers.values import mean, rms
-from soccer_env.train.papers.verdicts import Samples, measured, reported
+from soccer_env.train.papers.verdicts import Samples, measured
 
 MATCHES = 48
 SETTLE, SECONDS = 6.0, 14.0  # [s]
@@ -113,8 +113,6 @@ S32 = claim(
     measured("players tracked, new over old",
              lambda samples: recall(samples, "new") / max(recall(samples, "old"), 1e-9), at_least=1.8),
     measured("range error, new over old", lambda s: error(s, "new") / max(error(s, "old"), 1e-9), below=1.0),
-    *(reported(f"players tracked of the five others, {name}", recall, name, unit="%") for name in VARIANTS),
-    *(reported(f"range error, {name}", error, name, unit="cm") for name in ("new", "old")),
     measure=compare_systems,
     figures=plot("Players tracked, of five", "players tracked", "share of the time [%]", range(6),
                  {name: each(range(6), lambda s, name, n: 100 * float(np.mean(s[f"tracked {name}"] == n)), name)

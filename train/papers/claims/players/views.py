@@ -8,13 +8,12 @@ from soccer_env.match import Match
 from soccer_env.train.papers.claim import PLAYED, Batch, claim
 from soccer_env.train.papers.plots import plot
 from soccer_env.train.papers.staging import kick_off, wrap_angle
-from soccer_env.train.papers.verdicts import Samples, measured, reported
+from soccer_env.train.papers.verdicts import Samples, measured
 
 MATCHES = 16
 SECONDS = 60.0  # [s] of each
 EVERY = 8  # control steps between two looks at the play: half a second
 FAR = 2.0  # [m] within which another player is more than a speck, assumed
-THIRDS = ("head-on", "from the side", "from behind")
 SECTORS = 12  # of 15 degrees in the histogram, both sides together
 
 
@@ -74,9 +73,6 @@ S69 = claim(
     "is seen, in thirds of the circle: head-on (60 degrees to both sides), from the side, from behind.",
     measured("share of head-on views less the next third's", lambda samples: front_lead(samples["sensors"]),
              unit="%", above=0.0),
-    *(reported(f"share {name}", lambda s, i: float(shares_by_third(s["sensors"])[i]), i, unit="%")
-      for i, name in enumerate(THIRDS)),
-    reported("the lead where robots know the truth", lambda s: front_lead(s["ideal"]), unit="%"),
     rules=PLAYED,
     measure=lambda batch: {senses: play_matches(batch, senses) for senses in ("sensors", "ideal")},
     figures=plot("Angles under which players are seen, 3 v 3", "angle from head-on [degrees]", "share of views [%]",

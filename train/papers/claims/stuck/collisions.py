@@ -13,7 +13,7 @@ from soccer_env.train.papers.claims.stuck.runs import set_up_converging
 from soccer_env.train.papers.claims.stuck.sampled import MotionWindow, behaviours
 from soccer_env.train.papers.plots import plot_shares
 from soccer_env.train.papers.staging import begin_scene, kick_off, play, point_ahead, put, put_ball, stage
-from soccer_env.train.papers.values import mean, median, percent
+from soccer_env.train.papers.values import mean, percent
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
 OFF = "sacks-2001:recovery=False,avoidance=False"  # "everything off": S01
@@ -105,10 +105,6 @@ S03 = claim(
     "(contact, and in 1.5 s no nearer to it than by a quarter of what its legs walk): neither has had the ball "
     f"{DEADLOCK:g} s later, and the ball has not moved. Beside it robots that are held in 3 v 3 play.",
     counted("held pairs without the ball 20 s later, the ball where it lay", "stuck", "held", at_least=80.0),
-    reported("the same wherever the ball is then", percent, "without", "held", unit="%"),
-    reported("pairs that come to be held", percent, "held", "one", unit="%"),
-    reported("median time until one has the ball (20: nobody)", lambda s: median(np.minimum(s["until"], DEADLOCK)),
-             unit="s"),
     reported("held pairs without the ball 20 s later, with recovery", percent, "without on", "held on", unit="%"),
     reported("robots held in play, not free 20 s later", percent, "play bound", "play", unit="%"),
     reported("the same where the ball lay still", percent, "lay bound", "lay", unit="%"),
@@ -187,8 +183,6 @@ S30 = claim(
     "pulled apart end a scene that nobody has won.",
     counted("not avoiding: balls won by contact", "contact", "one", at_least=5.0),
     reported("avoiding: balls won by contact", "on contact", unit="%"),
-    reported("balls won without avoidance", "off", unit="%"),
-    reported("balls won with avoidance", "on", unit="%"),
     reported("scenes that the referee ended", "called", unit="%"),
     reported("balls won: not avoiding less avoiding", lambda s: 100.0 * mean(s["off"] - s["on"]), unit="pp"),
     rules=PLAYED, measure=compare_avoidance, batches=16, seconds=3.0,

@@ -13,7 +13,7 @@ from soccer_env.train.papers.claims.stuck.runs import immobilise_robots, is_reco
 from soccer_env.train.papers.claims.stuck.sampled import MATCHES, SECONDS
 from soccer_env.train.papers.plots import columns, plot, plots
 from soccer_env.train.papers.staging import begin_scene, distance_to_ball, kick_off, play, point_ahead, put, put_ball
-from soccer_env.train.papers.values import known, least_fall, least_rise, mean, median, middles_of
+from soccer_env.train.papers.values import known, least_fall, least_rise, middles_of
 from soccer_env.train.papers.verdicts import Samples, counted, measured, reported
 
 HELD = 64  # robots a batch that are held
@@ -93,8 +93,6 @@ S04 = claim(
     f"of robots that go for a ball nearer than {100 * FARTHEST:.0f} cm: mean of the filtered radial velocity of those "
     "that others hold (contact, a quarter of the way that their legs walk or less) and of those that touch nobody.",
     measured("area under the ROC curve of the mean velocity", roc_area, at_least=0.9),
-    reported("median of free robots", "free", of=median, unit="cm/s"),
-    reported("median of held robots", "stuck", of=median, unit="cm/s"),
     rules=PLAYED, measure=velocity_windows, least=4, batches=12, seconds=2.0,
     figures=plot(f"Radial velocity over {WINDOW:g} s", "mean radial velocity [cm/s]", "robots [%]",
                  middles_of(EDGES, 100), {title: partial(velocity_shares, name=name)
@@ -154,8 +152,6 @@ S25 = claim(
     measured("least fall of the false alarms in 100 approaches", lambda s: least_fall(alarms(s)), at_least=0.0),
     measured("false alarms in 100 approaches: least threshold less greatest",
              lambda s: alarms(s)[0] - alarms(s)[-1], above=0.0),
-    reported("least threshold: delay", lambda s: delays(s)[0], unit="s"),
-    reported("greatest threshold: delay", lambda s: delays(s)[-1], unit="s"),
     measure=sweep_thresholds,
     figures=plots(plot("Delay by threshold", "threshold [readings]", "mean time until noticed [s]", COUNTS,
                        {"held robots": delays}),
@@ -270,12 +266,6 @@ S24 = claim(
     measured("receding or turning: before false alarms less in free approaches", sign_frequency_excess, unit="pp",
              above=0.0),
     *(reported(f"false alarms in play: {name}", cause_share, i, unit="%") for i, name in enumerate(CAUSES)),
-    reported("receding or turning in free approaches",
-             lambda s: 100.0 * s["usual free"].sum() / max(s["free"].sum(), 1.0), unit="%"),
-    reported("recoveries in play, a minute and match", lambda s: mean(s["recoveries"]) * 60.0 / PLAY_TIME),
-    reported("false alarms in play, in all", lambda s: float(s["alarms"].sum())),
-    reported("recoveries that are false alarms",
-             lambda s: 100.0 * s["alarms"].sum() / max(s["recoveries"].sum(), 1.0), unit="%"),
     reported("staged approaches with a false alarm", lambda s: 100.0 * s["false"].sum() / s["staged"].sum(), unit="%"),
     rules=PLAYED_AND_STAGED, measure=count_alarm_causes, least=4, batches=12, seconds=4.5,
     ingredients=("stuck_count, near_zero, clearly, near_time: assumed",),

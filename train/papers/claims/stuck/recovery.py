@@ -54,8 +54,6 @@ S26 = claim(
     SCENE + f"with {', '.join(map(str, BACK_STEPS))} steps back: who is held again within {AGAIN:g} s after the "
     "recovery.",
     measured("held again after 10 steps over the mean of 2 and 5", ten_steps_ratio, at_most=0.5),
-    *(reported(f"held again after {steps} steps back", "again", i, unit="%")
-      for i, steps in enumerate(BACK_STEPS)),
     rules=PLAYED_AND_STAGED, measure=measure_held_again,
     figures=plot("Held again after a recovery", "steps back", "robots [%]", BACK_STEPS,
                  {"held again within 5 s": held_again}),
@@ -84,9 +82,9 @@ def compare_sides(batch: Batch) -> Samples:
     return samples
 
 
-def misalignment_change(samples: Samples, name: str = "", until: str = "at ball") -> float:
+def misalignment_change(samples: Samples, until: str = "at ball") -> float:
     """Return the mean change [deg] of the misalignment from before a recovery until the ball, or until "after" it."""
-    return mean(samples[f"{until}{name}"] - samples[f"before{name}"])
+    return mean(samples[until] - samples["before"])
 
 
 S27 = claim(
@@ -99,12 +97,10 @@ S27 = claim(
     measured("misalignment when it has the ball, less that with a random side",
              lambda s: mean(s["at ball"] - s["at ball either"]), unit="deg", below=0.0),
     reported("cleared with a random side", percent, "clear either", "aside either", unit="%"),
-    reported("the same change with a random side", misalignment_change, " either", unit="deg"),
     reported("change of the misalignment by the recovery alone", partial(misalignment_change, until="after"),
              unit="deg"),
     reported("misalignment right after it, less that with a random side",
              lambda s: mean(s["after"]) - mean(s["after either"]), unit="deg"),
-    reported("misalignment before", "before", unit="deg"),
     rules=PLAYED_AND_STAGED, measure=compare_sides, least=4, batches=12, seconds=3.0,
     ingredients=(HELD, "side_steps 5: assumed"),
     note="The paper speaks of the moment at which the robot reaches the ball. Right after the recovery a robot is "
@@ -153,15 +149,9 @@ S29 = claim(
     measured("cases that take more than one try, until it has the ball", repeated_recovery_share, unit="%",
              at_least=5.0),
     measured("free within 10 s: recovering less pushing on", recovery_gain, unit="pp", above=0.0),
-    reported("free within 10 s, pushing on", share_within, "freed off", FREE, unit="%"),
-    reported("when they notice by themselves: free within 10 s, less pushing on", partial(recovery_gain, word="on"),
-             unit="pp"),
     reported("noticing after 5 readings and 1 s near the ball: free within 10 s, less pushing on",
              partial(recovery_gain, word="quick"), unit="pp"),
     reported("the same: ball got, less pushing on", recovery_gain, "got", "quick", unit="pp"),
-    reported("all: ball got, recovering less pushing on", recovery_gain, "got", unit="pp"),
-    reported("goals in 100, recovering less pushing on",
-             lambda s: 100.0 * (mean(s["goals begun"]) - mean(s["goals off"]))),
     rules=PLAYED_AND_STAGED, measure=compare_recoveries, condition="where the recovery is begun for the robot",
     figures=plot_shares("Robots held in play: free by when", "time [s]", "robots [%]", np.linspace(0.0, FUTURE, 49),
                         {"recover at once": "freed begun", "recover when they notice": "freed on",

@@ -104,11 +104,6 @@ def settings_that_hold(samples: Samples, *claims: str) -> float:
     return float(np.logical_and.reduce([FITS[claim](samples) >= 1.0 for claim in claims]).sum())
 
 
-def of_team(samples: Samples, hits: str, trials: str) -> float:
-    """Return a share [%] at the team's own setting."""
-    return percent({name: samples[name][:, TEAM[0], TEAM[1]] for name in (hits, trials)}, hits, trials)
-
-
 def surface_table(samples: Samples) -> str:
     """Return the surface as a table: a row for each setting."""
     columns = {
@@ -163,8 +158,6 @@ S22 = claim(
     counted("approaches that nothing stops: false alarms", "two", "approaches",
             partial(at_best_setting, claim="S22"), at_most=FALSE),
     SAME,
-    reported("at 9 readings and 8 s: noticed within 5 s", of_team, "near soon", "near", unit="%"),
-    reported("at 9 readings and 8 s: noticed within 8 s", of_team, "all late", "all", unit="%"),
     *(reported(f"held in play, 9 readings and 8 s: noticed within {name}", percent, f"known {name}",
                f"robots {name}", unit="%") for name in PLAY_TIMES),
     rules=PLAYED_AND_STAGED, measure=measure_with_play, condition="at a setting that the paper does not tell",
@@ -180,8 +173,6 @@ S23 = claim(
             partial(at_best_setting, claim="S23"), at_least=OFTEN),
     measured("alarms with one counter over those with two", alarm_ratio, at_least=FEWER),
     SAME,
-    reported("at 9 readings and 8 s, one counter: false alarms", of_team, "one", "approaches", unit="%"),
-    reported("at 9 readings and 8 s, two counters: false alarms", of_team, "two", "approaches", unit="%"),
     measure=measure_settings, condition="at a setting that the paper does not tell", figures=surface_figures,
     batches=12, seconds=12.0,
     ingredients=("near_step 0.25, near_zero and clearly: assumed",),
