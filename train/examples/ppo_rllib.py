@@ -1,8 +1,9 @@
 """PPO of RLlib learns at 1 v 1 in the middle size, in a vector environment, against a pool of its own past selves.
 
 Needs: ray[rllib]==2.60.0 torch==2.13.0
-Reached: TODO
-It pins Gymnasium to 1.2.2. `num_env_runners` other than 0 plays on other workers of Ray.
+Reached: a draw with `still`, 0 : 0 goals, after 81,920 decisions of seed 1, 140 s of the processor on a very busy
+machine. That is too short to learn to score; how far the default takes it is not measured yet.
+RLlib takes Gymnasium 1.2.2 alone. With `num_env_runners` above 0 other workers of Ray play.
 """
 
 from functools import partial
@@ -49,7 +50,7 @@ def add_self(policy: Policy, runner: Any) -> None:
     runner.env.unwrapped.arguments.opponents.add(team_from_policy(policy))
 
 
-def main(steps: int = 250_000, seed: int = 1, out: Path = Path("runs/ppo_rllib")) -> float:
+def main(steps: int = 2_000_000, seed: int = 1, out: Path = Path("runs/ppo_rllib")) -> float:
     """Learn for `steps` decisions; return the goal difference of the last checkpoint in matches against `still`."""
     register_env("soccer", lambda given: SoccerVectorEnv(**GAME, num_envs=given["num_envs"], opponents=Lineup(FIRST)))
     config = PPOConfig().environment("soccer").debugging(seed=seed)
