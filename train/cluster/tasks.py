@@ -14,6 +14,7 @@ from contextlib import contextmanager
 from typing import Any, TypeVar
 
 from soccer_env.train.cluster import unpacking
+from soccer_env.train.cluster.held import Held
 from soccer_env.train.cluster.packing import pack_code
 from soccer_env.train.provenance import play_facts
 
@@ -60,11 +61,8 @@ class Tasks:
         `prepare`: (function, arguments) that each node calls once before, to compile. If the work is stopped (Ctrl-C)
         or a task is given up, the iterator first gives all finished results.
         """
-        pickled = [self._ray.cloudpickle.dumps((function, call)) for call in calls]
-        first = b"" if prepare is None else self._ray.cloudpickle.dumps(prepare)
-        options = {"num_cpus": 1, "max_retries": TRIES, "runtime_env": {"env_vars": self._variables}}
-        task, facts = self._task.options(**options), play_facts()
-        tasks = [task.remote(self._code, self._digest, facts, first, call) for call in pickled]
+        task = self._task.options(num_cpus=1, max_retries=TRIES, **self._environment)
+        tasks = [task.remote(*call) for call in self._packed(function, calls, prepare)]
         self._waiting.update(tasks)
         return self._results(tasks)
 
@@ -78,10 +76,50 @@ class Tasks:
                 self.cancel()
                 raise
 
+    def hold(self, function: Callable[..., Any], calls: Sequence[tuple[Any, ...]], prepare: Any) -> list[Held]:
+        """Hold what the function returns for each tuple of arguments on a worker of its own, a core for each.
+
+        The workers leave their cores to tasks, so that tasks play while nobody calls what they hold.
+        """
+        alive = [(node["NodeID"], int(node["Resources"].get("CPU", 0))) for node in self._ray.nodes() if node["Alive"]]
+        nodes = [node for node, cores in alive for _ in range(cores)] or [alive[0][0]]
+        packed = self._packed(function, calls, prepare)
+        return [Held(self, nodes[index % len(nodes)], making) for index, making in enumerate(packed)]
+
+    def actor(self, kind: type, node: str) -> Any:
+        """Start an actor on a node, or elsewhere if that has died."""
+        from ray.util.scheduling_strategies import NodeAffinitySchedulingStrategy
+
+        there = NodeAffinitySchedulingStrategy(node, soft=True)
+        return self._ray.remote(kind).options(num_cpus=0, scheduling_strategy=there, **self._environment).remote()
+
+    def kill(self, actor: Any) -> None:
+        """End an actor."""
+        self._ray.kill(actor)
+
+    def get(self, answer: Any) -> Any:
+        """Return the result of a task or call; raise the error that its function raised, or one of `deaths`."""
+        try:
+            return self._ray.get(answer)
+        except self._ray.exceptions.RayTaskError as error:
+            raise (error.cause or RuntimeError(str(error))) from error
+
     @property
-    def _variables(self) -> dict[str, str]:
+    def deaths(self) -> type[Exception]:
+        """Return the kind of error that tells the death of a worker."""
+        kind: type[Exception] = self._ray.exceptions.RayError
+        return kind
+
+    def _packed(self, function: Any, calls: Sequence[tuple[Any, ...]], prepare: Any) -> list[tuple[Any, ...]]:
+        """Return for each call the arguments of `unpacking.run_call`."""
+        first, facts = b"" if prepare is None else self._ray.cloudpickle.dumps(prepare), play_facts()
+        pickled = [self._ray.cloudpickle.dumps((function, call)) for call in calls]
+        return [(self._code, self._digest, facts, first, call) for call in pickled]
+
+    @property
+    def _environment(self) -> dict[str, Any]:
         """Return the environment of the workers, which no other code shares."""
-        return {"SOCCER_ENV_CODE": self._digest, "SOCCER_ENV_QUIET": "1"}
+        return {"runtime_env": {"env_vars": {"SOCCER_ENV_CODE": self._digest, "SOCCER_ENV_QUIET": "1"}}}
 
     def _results(self, tasks: list[Any]) -> Iterator[Any]:
         """Yield the results of tasks in order."""
@@ -98,13 +136,10 @@ class Tasks:
 
     def _result(self, task: Any) -> Any:
         """Return the result of a finished task; raise the error that its function raised."""
-        errors = self._ray.exceptions
         self._waiting.discard(task)
         try:
-            return self._ray.get(task)
-        except errors.RayTaskError as error:
-            raise (error.cause or error) from error
-        except errors.RayError as error:
+            return self.get(task)
+        except self.deaths as error:
             tried = f"a task was given up after {TRIES + 1} tries: {error}"
             raise ConnectionError(f"{tried}; finished results are kept, and the same command goes on") from error
 

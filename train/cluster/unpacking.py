@@ -1,4 +1,5 @@
-"""The task on a worker. It is sent by value, and imports the code that was sent with it instead of the installed code.
+"""The task and the actor on a worker. They are sent by value, and import the code sent with them instead of the
+installed code.
 
 The code lies in the folder of the cache (SOCCER_ENV_CACHE, or ~/.cache/soccer_env), in a folder named by its hash.
 """
@@ -34,3 +35,15 @@ def run_call(code: bytes, digest: str, facts: dict[str, str], prepare: bytes, ca
     from soccer_env.train.cluster.node import answer
 
     return answer(facts, prepare, call)
+
+
+class Holder:
+    """An actor that holds what a call made, and calls its methods."""
+
+    def make(self, *making: Any) -> None:
+        """Make the object by the arguments of `run_call`."""
+        self.held = run_call(*making)
+
+    def call(self, made: None, method: str, *arguments: Any) -> Any:
+        """Call a method of the object; `made` is the result of `make`, whose error would be that of this call."""
+        return getattr(self.held, method)(*arguments)

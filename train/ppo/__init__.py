@@ -35,16 +35,18 @@ def train(settings: TrainSettings) -> TrainResult:
 
     A run that was interrupted at any moment resumes from its last checkpoint with identical results.
     """
+    from soccer_env.train.cluster import open_workers
     from soccer_env.train.ppo.checks import check_playable, make_curriculum, make_matches
     from soccer_env.train.ppo.learner import Learner
     from soccer_env.train.ppo.run_folder import RunFolder
     from soccer_env.train.ppo.training import Training
 
     check_playable(settings)  # every team, size and time, before a folder is made
-    with RunFolder(settings) as folder:
+    with RunFolder(settings) as folder, open_workers(settings.threads, settings.ray) as workers:
         curriculum = make_curriculum(settings)  # the opponents, and how often each is met
-        learner = Learner(settings, make_matches(settings, curriculum, settings.stages[0].sizes))  # a row a robot
-        with Training(settings, folder, curriculum, learner) as run:
+        matches = make_matches(settings, curriculum, settings.stages[0].sizes, workers)  # a row for each robot
+        learner = Learner(settings, matches)
+        with Training(settings, folder, curriculum, learner, workers) as run:
             if not run.restore_checkpoint():
                 run.begin()  # from nothing, as a policy file, or as another run
             while learner.steps < settings.steps:

@@ -17,15 +17,16 @@ from soccer_env.agents.policy_file import load
 from soccer_env.agents.recurrent import memory_units
 from soccer_env.guards.checking import short_repr
 from soccer_env.leagues.league import League
+from soccer_env.train.cluster import Workers
 from soccer_env.train.ppo.curriculum import Curriculum
 from soccer_env.train.ppo.learner import check_device
 from soccer_env.train.ppo.match_blocks import split_matches
+from soccer_env.train.ppo.matches import Matches, open_matches
 from soccer_env.train.ppo.networks import blank_policy, widened_policy
 from soccer_env.train.ppo.reporting.loggers import check_packages
 from soccer_env.train.ppo.reports import policy_contest
 from soccer_env.train.ppo.settings import TrainSettings, command_of, senses_of
 from soccer_env.train.ppo.stages import Sizes
-from soccer_env.train.ppo.vec_env import SoccerVecEnv
 from soccer_env.train.provenance import commit, version_of
 from soccer_env.train.written_settings import split_variation
 
@@ -108,7 +109,8 @@ def digest(path: str) -> str:
 def policy_origin(settings: TrainSettings, step: int) -> dict[str, str]:
     """Return the origin of a policy for its file: command, settings, versions, without the user's folders."""
     begun = {} if settings.start_file is None else {"start": digest(str(settings.start_file))}
-    settings = replace(settings, out=TrainSettings.out, start=Path(settings.start).name if settings.start else "")
+    start = Path(settings.start).name if settings.start else ""
+    settings = replace(settings, out=TrainSettings.out, ray=None, start=start)
     return {
         "command": command_of(settings),
         "settings": json.dumps({**settings.decisive(), "steps": settings.steps}, sort_keys=True),  # defaults may change
@@ -128,18 +130,21 @@ def make_curriculum(settings: TrainSettings) -> Curriculum:
     return curriculum
 
 
-def make_matches(settings: TrainSettings, curriculum: Curriculum, sizes: Sequence[Sizes]) -> SoccerVecEnv:
+def make_matches(
+    settings: TrainSettings, curriculum: Curriculum, sizes: Sequence[Sizes], workers: Workers = 1
+) -> Matches:
     """Make the training environment of a stage, in which matches are played at these team sizes.
 
     Episodes are cut off a decision before half-time: for the learner a match has no end, so that the potential of its
     last state is not paid back and its value is estimated.
     """
     decisions = round(60.0 * settings.minutes / settings.decision_time)
-    return SoccerVecEnv(
-        settings.played, scene=settings.scene, players=sizes, matches=settings.matches,
+    given = dict(
+        league=settings.played, scene=settings.scene, players=sizes, matches=settings.matches,
         opponents=curriculum.lineup, action_repeat=settings.action_repeat, rewards=settings.paid,
         gamma=settings.gamma, state=settings.critic_room, stagger=True, seed=settings.seed + TRAINING_SEED,
-        threads=settings.threads, observe=settings.observe, senses=senses_of(settings.senses), pose=settings.pose,
+        observe=settings.observe, senses=senses_of(settings.senses), pose=settings.pose,
         minutes=2.0 * settings.minutes, max_cycles=max(decisions - 1, 1),
         variation=split_variation(settings.variation),
     )  # fmt: skip
+    return open_matches(workers, curriculum, given)

@@ -10,17 +10,17 @@ import torch
 from soccer_env.agents.policy_file import load
 from soccer_env.observations import layout
 from soccer_env.train.ppo.checkpoints import read_checkpoint
+from soccer_env.train.ppo.matches import Matches
 from soccer_env.train.ppo.networks import SoccerPolicy, copy_actor
 from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.ppo.updating.rollout import Rollout, Start, collect
 from soccer_env.train.ppo.updating.update import make_optimizer, update
-from soccer_env.train.ppo.vec_env import SoccerVecEnv
 
 
 class Learner:
     """Actor and critic, which PPO trains in matches: `collect_rollout`, then `update`, again and again."""
 
-    def __init__(self, settings: TrainSettings, matches: SoccerVecEnv) -> None:
+    def __init__(self, settings: TrainSettings, matches: Matches) -> None:
         check_device(settings.device)
         torch.manual_seed(settings.seed)  # of weights, noise, and the order of a rollout's parts
         self.settings, self.league = settings, settings.played
@@ -34,10 +34,11 @@ class Learner:
         self.optimizer = make_optimizer(self.network, settings.learning_rate)
         self.steps = 0  # decisions so far, summed over all robots
         self.noted: dict[str, float] = {}  # statistics of the last update
+        self.seconds = 0.0  # that the matches of the last rollout took
         self._start = self._episode_start(np.zeros((0, 0), np.float32))  # of the next rollout
         self._rollout: Rollout | None = None
 
-    def begin_matches(self, matches: SoccerVecEnv | None = None) -> None:
+    def begin_matches(self, matches: Matches | None = None) -> None:
         """Begin new episodes in all matches, or in other matches, for the next rollout."""
         if matches is not None:
             self.matches.close()
@@ -60,6 +61,7 @@ class Learner:
             self.network, self.matches, self._start, settings.rollout, settings.gamma, settings.gae_lambda, count,
             settings.torch_threads,
         )  # fmt: skip
+        self.seconds = self._rollout.seconds
 
     def update(self, actor: bool = True) -> None:
         """Update actor and critic by PPO on the rollout; without `actor` only the critic."""

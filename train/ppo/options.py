@@ -57,6 +57,9 @@ class PlainSettings:
     """Seed of the run; the same settings and seed give the same weights, with one torch thread."""
     threads: int = 1
     """Number of threads that play matches; the result does not depend on it."""
+    ray: str | None = None
+    """Play on a Ray cluster: --ray alone starts one on this machine, auto or HOST:PORT joins one. Its cores replace
+    --threads, a core for each 64 matches, and the result does not depend on it."""
     anew: bool = False
     """Start afresh: remove an earlier run from --out."""
     rules: str = "league"

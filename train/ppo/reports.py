@@ -13,14 +13,15 @@ from soccer_env.agents.learned import team_from_policy
 from soccer_env.agents.policy import Policy
 from soccer_env.agents.policy_file import load
 from soccer_env.leagues import find_league
+from soccer_env.train.cluster import Workers
 from soccer_env.train.evaluate.contest import Contest, contest_of, play_matches
 from soccer_env.train.evaluate.replays import Keep, Kept, keep_replays, kept_in
 from soccer_env.train.evaluate.results import MatchLine, summarise
 from soccer_env.train.evaluate.settings import EvaluateSettings, conditions_of
+from soccer_env.train.ppo.match_blocks import Result
 from soccer_env.train.ppo.run_folder import BEST, RunFolder
 from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.ppo.stages import Sizes
-from soccer_env.train.ppo.vec_env import Result
 from soccer_env.train.progress import Progress
 from soccer_env.train.report import can_draw, draw_curves
 
@@ -127,19 +128,19 @@ def policy_contest(policy: Policy, opponent: str, settings: TrainSettings, playe
     return contest_of(conditions_of(asked, league), league, {"policy": team_from_policy(policy)})
 
 
-def play_evaluation(contest: Contest, threads: int) -> list[MatchLine]:
+def play_evaluation(contest: Contest, workers: Workers) -> list[MatchLine]:
     """Play all matches of a contest and return their lines."""
     lines: list[MatchLine] = []
-    play_matches(contest, set(), "", threads, lines.extend, lambda steps: None)
+    play_matches(contest, set(), "", workers, lines.extend, lambda steps: None)
     return lines
 
 
-def evaluate_policy(policy: Policy, settings: TrainSettings) -> list[dict[str, Any]]:
+def evaluate_policy(policy: Policy, settings: TrainSettings, workers: Workers) -> list[dict[str, Any]]:
     """Evaluate a policy at each team size against each opponent; return a row of results with 95 % intervals each."""
     rows = []
     for players, opponent in product(settings.sizes, settings.judges):
         contest = policy_contest(policy, opponent, settings, players)
-        result = summarise(contest.conditions, {}, play_evaluation(contest, settings.threads))
+        result = summarise(contest.conditions, {}, play_evaluation(contest, workers))
         mean, low, high = (getattr(result.goal_difference, name) for name in ("mean", "low", "high"))
         rows.append(
             {
@@ -224,7 +225,7 @@ def best_evaluation_sentence(result: Any) -> str:
     )
 
 
-def keep_best(settings: TrainSettings, folder: RunFolder) -> list[Kept]:
+def keep_best(settings: TrainSettings, folder: RunFolder, workers: Workers) -> list[Kept]:
     """Keep replays, as `settings.keep` says, of the best policy against each opponent of the evaluations.
 
     The matches of its evaluation are played again to find those worth keeping.
@@ -235,7 +236,7 @@ def keep_best(settings: TrainSettings, folder: RunFolder) -> list[Kept]:
     policy, kept = load(path), []
     for number, (players, opponent) in enumerate(product(settings.sizes, settings.judges), 1):
         contest = policy_contest(policy, opponent, settings, players)
-        lines = play_evaluation(contest, settings.threads)
+        lines = play_evaluation(contest, workers)
         before = f"{number}-{re.sub(r'[^A-Za-z0-9.@=-]', '-', opponent)[:40]}-"
         kept += keep_replays(contest, lines, Keep(settings.keep, settings.keep_pages), folder.path, before)
     return kept

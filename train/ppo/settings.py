@@ -27,7 +27,7 @@ from soccer_env.train.written_settings import (
 )
 
 FREE = (  # settings that may differ when a run is resumed
-    "out", "threads", "torch_threads", "steps", "anew", "log", "keep", "keep_pages", "device",
+    "out", "threads", "ray", "torch_threads", "steps", "anew", "log", "keep", "keep_pages", "device",
 )  # fmt: skip
 
 LAST = "last.safetensors"  # of a run's folder

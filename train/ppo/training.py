@@ -14,11 +14,14 @@ from typing import Any
 from soccer_env.agents.policy import Policy
 from soccer_env.agents.policy_file import dump
 from soccer_env.agents.trained_with import warn_if_observing_truth
+from soccer_env.train.cluster import Workers
 from soccer_env.train.evaluate.replays import Kept
 from soccer_env.train.ppo.checkpoints import generator_states, read_checkpoint, restore_generators, write_checkpoint
 from soccer_env.train.ppo.checks import make_matches, policy_origin
 from soccer_env.train.ppo.curriculum import Curriculum
 from soccer_env.train.ppo.learner import Learner, begin_networks
+from soccer_env.train.ppo.match_blocks import Result
+from soccer_env.train.ppo.matches import Matches
 from soccer_env.train.ppo.networks import export_policy
 from soccer_env.train.ppo.reporting.page import page_of
 from soccer_env.train.ppo.reporting.tally import per_minute
@@ -34,7 +37,6 @@ from soccer_env.train.ppo.reports import (
 from soccer_env.train.ppo.run_folder import BEST, CURVE, REPORT, RunFolder
 from soccer_env.train.ppo.settings import LAST, TrainSettings
 from soccer_env.train.ppo.stages import StageClock
-from soccer_env.train.ppo.vec_env import Result, SoccerVecEnv
 
 CHECKPOINT_SHARE = 0.05  # of a run's time, at most
 
@@ -52,8 +54,10 @@ class TrainResult:
 class Training:
     """One training run; a context manager that shows a progress bar and closes threads and logs."""
 
-    def __init__(self, settings: TrainSettings, folder: RunFolder, curriculum: Curriculum, learner: Learner) -> None:
-        self.settings, self.folder = settings, folder
+    def __init__(
+        self, settings: TrainSettings, folder: RunFolder, curriculum: Curriculum, learner: Learner, workers: Workers
+    ) -> None:
+        self.settings, self.folder, self.workers = settings, folder, workers
         self.curriculum = curriculum
         self.learner = learner
         self.clock = StageClock(settings.stages, settings.stage_share, settings.stage_steps)
@@ -105,8 +109,8 @@ class Training:
                 "rating": {name: round(standing.mu, 3) for name, standing in standings.items()},
                 **{name: rounded(value) for name, value in self.learner.noted.items()},
                 "goals": goals_a_minute(results),
-                "minute": per_minute(matches.tallies),
-                "playing": matches.take_seconds(),
+                "minute": per_minute(matches.take_tallies()),
+                "playing": self.learner.seconds,
             }
         )  # fmt: skip
 
@@ -116,10 +120,10 @@ class Training:
         if self.clock.move_on(self.learner.steps):
             self.learner.begin_matches(self._matches_of_stage())
 
-    def _matches_of_stage(self) -> SoccerVecEnv:
+    def _matches_of_stage(self) -> Matches:
         """Make the matches of the present stage, and meet its opponents in them."""
         self.curriculum.begin_stage(self.clock.stage.opponents)
-        return make_matches(self.settings, self.curriculum, self.clock.stage.sizes)
+        return make_matches(self.settings, self.curriculum, self.clock.stage.sizes, self.workers)
 
     def evaluation_is_due(self) -> bool:
         """Tell whether the last rollout passed a multiple of `evaluate_every`, or ended the run."""
@@ -139,7 +143,7 @@ class Training:
         with self.timed("evaluation"):
             policy = self.policy()
             best = max(map(merit, self.folder.evaluations()), default=None)
-            rows = evaluate_policy(policy, self.settings)
+            rows = evaluate_policy(policy, self.settings, self.workers)
             record = {"step": self.learner.steps, "rows": rows}
             data = dump(policy)
             self.folder.write(LAST, data)
@@ -160,7 +164,7 @@ class Training:
 
     def keep_replays(self) -> None:
         """Keep replays of the best policy, after the run has ended."""
-        kept = keep_best(self.settings, self.folder)
+        kept = keep_best(self.settings, self.folder, self.workers)
         if kept:
             self.report(kept)
 
@@ -179,8 +183,7 @@ class Training:
         with self.timed("checkpoint"):
             started = time.perf_counter()
             if started < self.next_checkpoint and not self._is_over():
-                for match in self.learner.matches.matches:
-                    match.rebuild()
+                self.learner.matches.rebuild()
                 return
             state = {
                 **self.learner.state(),

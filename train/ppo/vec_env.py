@@ -12,7 +12,6 @@ same rhythm, and so do later episodes if each lasts a whole number of repeats.
 
 from __future__ import annotations
 
-import time
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
@@ -36,7 +35,7 @@ from soccer_env.random_numbers import seeds_for
 from soccer_env.rewards import Rewards, find_rewards
 from soccer_env.train.ppo.critic_state import append_state, room_for
 from soccer_env.train.ppo.match_blocks import Result, begin, check_request, playing, split_matches, taken, undo_on_error
-from soccer_env.train.ppo.reporting.tally import make_tallies, size_numbers
+from soccer_env.train.ppo.reporting.tally import Tally, make_tallies, size_numbers
 
 
 class SoccerVecEnv(VecEnv):
@@ -49,7 +48,8 @@ class SoccerVecEnv(VecEnv):
     with room for the largest team (True) or for this number of robots a side; stagger: begin the first episodes at
     different times of play. max_cycles counts steps of `action_repeat` control steps. Other settings are those of
     `Match` (observe="truth" and starts="training" unless told otherwise). `results` collects how episodes ended until
-    somebody takes them, `seconds` the time [s] that steps took. Every reset plays the episodes of the seed again.
+    somebody takes them. Every reset plays the episodes of the seed again. part: the blocks of matches that are played
+    here, while other processes play the others.
 
         env = SoccerVecEnv(players=[(2, 2)], matches=64, opponents="chaser", action_repeat=8, minutes=2.0)
         model = A2C("MlpPolicy", env).learn(100_000)
@@ -78,12 +78,14 @@ class SoccerVecEnv(VecEnv):
         stagger: bool = False,
         seed: int = 0,
         threads: int = 1,
+        part: slice = slice(None),
         **settings: Any,
     ) -> None:
         self.repeat, self.stagger, self.results = action_repeat, stagger, list[Result]()
-        self.render_mode, self.seconds = None, 0.0
+        self.render_mode = None
         check_request(players, opponents is None, action_repeat, threads, settings)
-        blocks = split_matches(players, matches)
+        every = split_matches(players, matches)
+        blocks, self._first = every[part], sum(count for _, count in every[: part.start or 0])  # the first match here
         inner = max(1, threads // len(blocks))  # threads of a block; more than one where there are few blocks
         if settings.get("max_cycles") is not None:
             settings["max_cycles"] *= action_repeat
@@ -101,7 +103,7 @@ class SoccerVecEnv(VecEnv):
         self.observed = len(self.matches[0].observation_names)  # entries before the state
         self.first_decision = first_decision_step(self.matches[0].league.delay_steps, action_repeat)
         rows = [match.count * learners for match, learners in zip(self.matches, self.learners, strict=True)]
-        self.size_of_row, self.tallies = np.repeat(size_numbers(self.matches), rows), make_tallies(self)
+        self.size_of_row = np.repeat(size_numbers([sizes for sizes, _ in blocks]), rows)
         self._order = np.argsort([-match.count * len(match.agents) for match in self.matches]).tolist()  # longest first
         self.edges = np.concatenate([[0], np.cumsum(rows)]).tolist()
         self.opponents = [playing(match) for match in self.matches]
@@ -110,6 +112,7 @@ class SoccerVecEnv(VecEnv):
         seen = spaces.Box(-1.0, 1.0, self._observations().shape[1:], np.float32)
         super().__init__(self.edges[-1], seen, kind.space())
         self._seed, self._asked = seed, False  # whether a step was asked for
+        self.tallies = make_tallies(self)
         self._returns, self._lengths = np.zeros(self.num_envs), np.zeros(self.num_envs, np.int64)
 
     # The interface of stable-baselines3
@@ -122,9 +125,9 @@ class SoccerVecEnv(VecEnv):
     def reset(self) -> np.ndarray:
         """Begin episodes in all matches; return the observations (rows, n) for the first decision."""
         with undo_on_error(self.matches, self.opponents, "reset"):
-            seeds, apart = seeds_for(self._seed, sum(m.count for m in self.matches)), self.stagger * self.repeat
+            seeds = seeds_for(self._seed, self._first + len(self.playing()))[self._first :]
             for match in self.matches:
-                begin(match, seeds[: match.count], self.first_decision, apart)
+                begin(match, seeds[: match.count], self.first_decision, self.stagger * self.repeat)
                 seeds = seeds[match.count :]
             self.opponents[:] = [playing(match) for match in self.matches]
             self._returns[:], self._lengths[:] = 0.0, 0
@@ -142,17 +145,16 @@ class SoccerVecEnv(VecEnv):
         """
         if not self._asked:
             raise RuntimeError("step_wait needs the actions of the step: call step_async first, or step")
-        started = time.perf_counter()
         rewards, dones = np.zeros(self.num_envs, np.float32), np.zeros(self.num_envs, bool)
         infos: list[dict[str, Any]] = [{} for _ in range(self.num_envs)]
         with undo_on_error(self.matches, self.opponents, "step"):
             waits = all(signals_wait(match, "step") for match in self.matches)  # else one may compile: not in a thread
             workers = self._workers if waits else Workers(1)
             results = workers.map(lambda index: self._play(index, rewards, dones, infos), self._order)
-            return self._update_infos(dict(zip(self._order, results, strict=True)), rewards, dones, infos, started)
+            return self._update_infos(dict(zip(self._order, results, strict=True)), rewards, dones, infos)
 
     def _update_infos(
-        self, results: dict[int, list[Result]], rewards: np.ndarray, dones: np.ndarray, infos: Any, started: float
+        self, results: dict[int, list[Result]], rewards: np.ndarray, dones: np.ndarray, infos: Any
     ) -> tuple[np.ndarray, np.ndarray, np.ndarray, list[dict[str, Any]]]:
         """Update returns, lengths and infos after a step of all blocks; return the values of `step_wait`."""
         for index in range(len(self.matches)):
@@ -164,7 +166,6 @@ class SoccerVecEnv(VecEnv):
         self._returns[dones], self._lengths[dones] = 0.0, 0
         observations = self._observations()
         self._asked = False
-        self.seconds += time.perf_counter() - started
         return observations, rewards, dones, infos
 
     def _play(self, index: int, rewards: np.ndarray, dones: np.ndarray, infos: list[dict[str, Any]]) -> list[Result]:
@@ -178,7 +179,7 @@ class SoccerVecEnv(VecEnv):
         gained, over = rewards[rows].reshape(match.count, learners), np.zeros(match.count, bool)
         for step in range(self.repeat):
             _, paid, terminated, _ = match.step(actions, last=step == self.repeat - 1)
-            self.tallies[index].add()
+            self.tallies[index].add(match)
             gained += np.where(over[:, None], 0.0, paid[:, :learners])
             if len(match.ended):
                 results += self._write_terminal_infos(index, terminated, over, infos)
@@ -225,9 +226,9 @@ class SoccerVecEnv(VecEnv):
         taken, self.results = self.results, []
         return taken
 
-    def take_seconds(self) -> float:
-        """Return the time [s] that steps have taken since the last call of this method."""
-        taken, self.seconds = self.seconds, 0.0
+    def take_tallies(self) -> list[Tally]:
+        """Return the tally of each block since the last call of this method."""
+        taken, self.tallies = self.tallies, make_tallies(self)
         return taken
 
     def playing(self) -> list[str]:
@@ -280,6 +281,11 @@ class SoccerVecEnv(VecEnv):
             "lengths": self._lengths.tolist(),
         }
 
+    def rebuild(self) -> None:
+        """Rebuild the matches as `save` does."""
+        for match in self.matches:
+            match.rebuild()
+
     def load(self, saved: dict[str, Any]) -> np.ndarray:
         """Restore a state from `save`; return the observations. ValueError for a save with other settings."""
         with undo_on_error(self.matches, self.opponents, "load"):
@@ -292,6 +298,3 @@ class SoccerVecEnv(VecEnv):
     def __reduce__(self) -> Made:
         """Pickle or copy by settings and `save`, so that copies play on identically."""
         return reduce_by_save(self, type(self), {**self._given, "seed": self._seed})
-
-
-__all__ = ["Result", "SoccerVecEnv"]

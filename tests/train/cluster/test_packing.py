@@ -12,6 +12,7 @@ from soccer_env.train.cluster import Tasks
 from soccer_env.train.cluster.packing import pack_code
 from soccer_env.train.command.parsing import read_settings
 from soccer_env.train.evaluate import EvaluateSettings
+from soccer_env.train.ppo.matches import share_blocks
 
 
 def test_the_code_has_one_hash_until_a_module_is_loaded(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -35,6 +36,12 @@ def test_the_code_has_one_hash_until_a_module_is_loaded(tmp_path: Path, monkeypa
 )
 def test_ray_alone_means_a_cluster_of_this_machine(words: list[str], address: str | None) -> None:
     assert read_settings(EvaluateSettings, words, "evaluate").ray == address
+
+
+def test_workers_share_the_rows_of_blocks_as_neighbours() -> None:
+    assert share_blocks([64, 64, 64, 64], 2) == [slice(0, 2), slice(2, 4)]
+    assert share_blocks([22, 22, 66], 2) == [slice(0, 2), slice(2, 3)]
+    assert share_blocks([9, 9], 16) == [slice(0, 1), slice(1, 2)]
 
 
 def test_settings_that_name_no_cluster_are_refused(soccer: Callable[..., str], monkeypatch: pytest.MonkeyPatch) -> None:

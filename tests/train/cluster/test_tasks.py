@@ -14,9 +14,12 @@ from soccer_env.train.cluster import Tasks, tasks
 from soccer_env.train.evaluate import EvaluateSettings, evaluate, evaluate_drills
 from soccer_env.train.papers.reproduction import reproduce
 from soccer_env.train.papers.settings import ReproduceSettings
+from soccer_env.train.ppo import training
+from soccer_env.train.ppo.matches import SharedMatches
 from soccer_env.train.tournament import TournamentSettings, tournament
 from tests.train.cluster import victims
 from tests.train.cluster.victims import Victim
+from tests.train.ppo.staged_training import outcome, tiny_settings, train_plainly, whole_run
 
 ray = pytest.importorskip("ray")
 pytestmark = pytest.mark.slow
@@ -31,6 +34,7 @@ class Nodes:
 
         self.cluster = Cluster(initialize_head=True, head_node_args=self.core)
         self.address = self.cluster.address
+        tasks.connect(self.address)  # before there is another node, which would do as well for this process
         self.add_other()
 
     core = {"num_cpus": 1, "object_store_memory": 100 << 20, "include_dashboard": False}
@@ -48,7 +52,6 @@ class Nodes:
 def nodes() -> Iterator[Nodes]:
     """Return the cluster; every test joins it by its address."""
     nodes = Nodes()
-    tasks.connect(nodes.address)
     nodes.cluster.wait_for_nodes()
     yield nodes
     ray.shutdown()
@@ -121,6 +124,32 @@ def test_claims_and_drills_on_a_cluster_have_the_results_of_local_ones(nodes: No
     assert here == there
     drill = {"scene": "empty-goal", "home": "chaser,still", "matches": 4}
     assert evaluate_drills(EvaluateSettings(**drill)) == evaluate_drills(EvaluateSettings(**drill, ray=nodes.address))
+
+
+@pytest.mark.parametrize(("dying", "checkpoints"), [("worker", 1e-9), ("node", 1e9)])  # none or each rollout
+def test_a_training_whose_workers_die_goes_on_to_the_files_of_a_local_one(
+    nodes: Nodes, tmp_path: Path, tmp_path_factory: Any, dying: str, checkpoints: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    steps, step = [0], SharedMatches.step_async
+
+    def count(matches: SharedMatches, actions: Any) -> None:
+        step(matches, actions)
+        steps[0] += 1
+        if steps[0] == 30 and dying == "worker":
+            kill_process(ray.get(matches._held[1]._actor.__ray_call__.remote(lambda actor: os.getpid())))
+        elif steps[0] == 30:
+            nodes.kill_other()
+        elif steps[0] == 40:
+            raise KeyboardInterrupt
+
+    monkeypatch.setattr(training, "CHECKPOINT_SHARE", checkpoints)
+    monkeypatch.setattr(SharedMatches, "step_async", count)
+    with pytest.raises(KeyboardInterrupt):
+        train_plainly(tiny_settings(tmp_path, ray=nodes.address))
+    if dying == "node":
+        nodes.add_other()
+    train_plainly(tiny_settings(tmp_path, ray=nodes.address if dying == "worker" else None))
+    assert outcome(tmp_path) == outcome(whole_run(tmp_path_factory)) and steps[0] > 40
 
 
 def test_ctrl_c_keeps_finished_matches_and_cancels_the_others(nodes: Nodes, tmp_path: Path) -> None:

@@ -12,10 +12,9 @@ from soccer_env.agents.perceptron import pack_policy
 from soccer_env.leagues import find_league
 from soccer_env.match.match import BLOCK
 from soccer_env.train.ppo.curriculum import LEARNER, LEAST, Curriculum
-from soccer_env.train.ppo.match_blocks import split_matches
+from soccer_env.train.ppo.match_blocks import Result, split_matches
 from soccer_env.train.ppo.networks import blank_policy
 from soccer_env.train.ppo.settings import TrainSettings
-from soccer_env.train.ppo.vec_env import Result
 
 SETTINGS = TrainSettings(hidden="8")
 BLANK = blank_policy(SETTINGS, find_league("legged-2001"))

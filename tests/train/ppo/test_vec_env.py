@@ -16,7 +16,7 @@ pytest.importorskip("stable_baselines3")
 
 import stable_baselines3 as sb3
 
-from soccer_env.train.ppo.vec_env import Result
+from soccer_env.train.ppo.match_blocks import Result
 
 
 @pytest.mark.parametrize("state", [False, True])

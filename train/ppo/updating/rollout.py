@@ -5,6 +5,7 @@ T decisions of N robots (rows), n numbers seen, a numbers in an action.
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -12,8 +13,8 @@ from typing import NamedTuple
 import numpy as np
 import torch
 
+from soccer_env.train.ppo.matches import Matches
 from soccer_env.train.ppo.networks import SoccerPolicy
-from soccer_env.train.ppo.vec_env import SoccerVecEnv
 
 CHUNK = 16_384  # rows in a pass of a network over a rollout
 LEAST_SCALE = 1e-6  # of a standard deviation
@@ -38,6 +39,7 @@ class Rollout:
     groups: np.ndarray  # (N,) number of the team size
     dones: np.ndarray  # (T, N) flags: an episode ended with the decision
     states: torch.Tensor  # (images, N, units) of the actor's memory before the first decision
+    seconds: float = 0.0  # that the matches took
 
     @property
     def returns(self) -> np.ndarray:
@@ -47,7 +49,7 @@ class Rollout:
 
 
 def collect(
-    network: SoccerPolicy, matches: SoccerVecEnv, start: Start, length: int, gamma: float, lam: float,
+    network: SoccerPolicy, matches: Matches, start: Start, length: int, gamma: float, lam: float,
     each_step: Callable[[], None], threads: int = 1,
 ) -> tuple[Rollout, Start]:  # fmt: skip
     """Play `length` decisions; return the rollout, and the start of the next one.
@@ -62,12 +64,15 @@ def collect(
     rewards, dones = np.empty((length, rows), np.float32), np.empty((length, rows), bool)
     cut_off: list[tuple[int, int]] = []
     last_seen: list[np.ndarray] = []
+    seconds = 0.0
     torch.set_num_threads(1)  # an actor of few rows is slower on more
     for t in range(length):
         observations[t] = seen
         means[t], drawn[t], states = draw_actions(network, seen, states)
+        started = time.perf_counter()
         matches.step_async(drawn[t])
         seen, rewards[t], dones[t], infos = matches.step_wait()
+        seconds += time.perf_counter() - started
         states = states.masked_fill(torch.as_tensor(dones[t], device=network.device)[None, :, None], 0.0)
         rows_cut = [row for row in np.flatnonzero(dones[t]).tolist() if infos[row]["TimeLimit.truncated"]]
         cut_off += [(t, row) for row in rows_cut]
@@ -78,7 +83,7 @@ def collect(
         rewards[tuple(np.transpose(cut_off))] += gamma * values_of(network, np.array(last_seen))
     values = values_of(network, observations.reshape(length * rows, -1)).reshape(length, rows)
     gained = advantages(rewards, values, dones, values_of(network, seen), gamma, lam)
-    made = Rollout(observations, means, drawn, values, gained, matches.size_of_row, dones, start.states)
+    made = Rollout(observations, means, drawn, values, gained, matches.size_of_row, dones, start.states, seconds)
     return made, Start(seen, states)
 
 
