@@ -40,6 +40,7 @@ TIMED = 16_384  # match steps in one timing, at least one step of all matches
 HELD = 256  # matches whose memory is measured while robots are added
 TIME = {"s": 1.0, "ms": 1e-3, "us": 1e-6}
 MEMORY = {"GiB": 2.0**30, "MiB": 2.0**20, "KiB": 2.0**10}
+PLAYED = 10  # control steps before the memory is read: Chipmunk keeps contacts for three
 FITTED = 3  # sizes, the largest, through which the line goes
 SLACK = 0.15  # of an order: caches miss more often when there is more
 APPENDED = 500  # control steps of which the mean is the time to append one
@@ -137,7 +138,7 @@ def timed(play: Callable[[int], None], steps: int, clock: Callable[[], float], r
 
 def memory_curves(league: str, settings: BenchSettings) -> Iterator[Curve]:
     """Yield the memory that matches take, with all of Chipmunk, by their number and by their robots."""
-    counts = MATCHES[2 : 5 if settings.quick else None]
+    counts = MATCHES[2 : 5 if settings.quick else -1]
     costs = held_by([{"matches": count, "home": PLAYERS, "away": PLAYERS, **IDEAL} for count in counts], league)
     yield Curve("memory of all matches", "matches", 1.0, counts, costs, memory=True)
     sides = ROBOTS[: 3 if settings.quick else None]
@@ -153,12 +154,13 @@ def held_by(kinds: list[dict[str, Any]], league: str) -> list[float]:
 
 
 def grow_by(kinds: list[dict[str, Any]], league: str) -> list[float]:
-    """Make, step and keep a Match of chasers of each kind; return the bytes by which this process grew."""
+    """Make, play and keep a Match of chasers of each kind; return the bytes by which this process grew."""
     kept, grown = [], []
     for kind in ({**kinds[0], "matches": 1}, *kinds):  # the first loads the compiled code
         before = resident_bytes()
         kept.append(Match(league, controllers={"home": "chaser", "away": "chaser"}, seed=0, **kind))
-        kept[-1].step()
+        for _ in range(PLAYED):
+            kept[-1].step()
         grown.append(float(max(resident_bytes() - before, 1)))
     return grown[1:]
 

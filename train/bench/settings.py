@@ -33,7 +33,7 @@ class BenchSettings(CommandSettings):
     Prints match steps/s and the ratio, ours over theirs, with its 95 % interval."""
     growth: bool = False
     """Print instead how costs grow with robots, players seen, matches, threads, the length of a replay: the slope on
-    logarithmic axes beside the order that the work needs. With --out also a picture. Linux only; memory: 3 GB."""
+    logarithmic axes beside the order that the work needs. With --out also a picture. Linux only; memory: 8 GB."""
     soak: float = 0.0
     """Play so many million match steps instead, and compare memory, open files and time at the end with those at the
     beginning. Linux only."""
