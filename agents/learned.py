@@ -65,10 +65,9 @@ class LearnedTeam(ObservingTeam):
 
 def team_from_policy(policy: Policy, at_once: bool = False) -> LearnedTeam:
     """Return a team that plays a policy; `at_once`: it decides in the first step of an episode."""
-    kernel, memory = (remember_slice, STATES) if policy.memory else (decide_slice, MEMORY)
     skilled = policy.actions == "skills"
-    if skilled:
-        kernel, memory = skilled_slice, SKILLED
+    kernels: list[tuple[Any, np.dtype]] = [(decide_slice, MEMORY), (remember_slice, STATES), (skilled_slice, SKILLED)]
+    kernel, memory = kernels[2 if skilled else bool(policy.memory)]
     made = LearnedTeam(
         policy.name, kernel, memory, pack_policy(policy, at_once), (policy.family,), observe=policy.observe,
         skilled=skilled,

@@ -100,7 +100,7 @@ def memory_of(match: Match, r: int = 0) -> np.ndarray:
 
 def team_settings_of(match: Match, r: int = 0) -> np.ndarray:
     """Return the settings (rows,) that the compiled team of robot r uses."""
-    settings: np.ndarray = squad_of(match, r).settings  # type: ignore[assignment]  # of compiled teams alone
+    settings: np.ndarray = squad_of(match, r).settings
     return settings
 
 

@@ -44,7 +44,7 @@ class Recorder:
         self.commands: list[np.ndarray] = []
         self.gazes: list[np.ndarray] = []
         self.hashes: list[str] = []
-        self.log: list[tuple[int, list[int], bytes]] = []  # (control steps before it, matches, all records)
+        self.log: list[tuple[int, list[int], bytes]] = []  # (control steps before it, matches, their records)
         self.thoughts = thoughts
         self._match = match
         match.recorder = self
@@ -65,7 +65,8 @@ class Recorder:
 
     def note_rebuild(self, rows: Any) -> None:
         """Note a rebuild of the physics of some matches, and their records: by a save, a load or a new episode."""
-        self.log.append((len(self.commands), [int(m) for m in rows], saving.dump(self._match, memory=False)))
+        which = np.array(rows, int)
+        self.log.append((len(self.commands), which.tolist(), saving.dump(self._match, memory=False, rows=which)))
 
     def length(self) -> tuple[int, int, int]:
         """Return the numbers of recorded commands, hashes and rebuilds."""
@@ -153,7 +154,7 @@ class Replay:
                 _, rows, records = pending.pop(0)
                 if not all(0 <= m < match.count for m in rows) or len(set(rows)) < len(rows):
                     raise ValueError(f"this replay is damaged: it rebuilds matches {rows} of {match.count}")
-                saving.restore(match, records, memory=False)
+                saving.restore(match, records, memory=False, rows=np.array(rows, int))
                 match.rebuild(rows)
             if step == len(self.commands):
                 return

@@ -80,8 +80,7 @@ def copy_decision_inputs(match: Match, squad: Squad, place: int) -> DecisionInpu
     r, settings = int(squad.players[place]), squad.settings
     beliefs, tracks = match.beliefs[:1, r].copy(), match.tracks[:1, r].copy()
     memory, noise = squad.memory[:1, place].copy(), match.robots["noise"][:1, r].copy()
-    # Teams that explain themselves are compiled, and have settings.
-    return DecisionInputs(beliefs, tracks, memory, noise, match.batch.constants, settings)  # type: ignore[arg-type]
+    return DecisionInputs(beliefs, tracks, memory, noise, match.batch.constants, settings)
 
 
 def planned_paths(match: Match) -> np.ndarray:

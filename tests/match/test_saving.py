@@ -73,6 +73,17 @@ def test_resets_replay_too(mode: str) -> None:
     assert recorder.stop().check() == 160
 
 
+def test_a_replay_holds_the_records_of_the_matches_that_began_anew_and_not_of_all() -> None:
+    match = Match(home=1, away=1, matches=8, seed=5, minutes=0.2, autoreset="same_step")
+    match.matches["half"], match.matches["clock"] = 1, match.settings.half_length - 0.2 * np.arange(1, 9)
+    recorder = Recorder(match)
+    go(match, 40, 1)
+    replay = recorder.stop()
+    assert [rows for _, rows, _ in replay.log] == [[m] for m in range(8)], "one after the other"
+    assert max(len(records) for _, _, records in replay.log) < len(saving.dump(match, memory=False)) / 2
+    assert replay.check() == 40
+
+
 def test_a_replay_names_the_first_step_that_differs() -> None:
     match = lively("legged-2001")
     recorder = Recorder(match)

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import gymnasium
 import pytest
 
-from soccer_env import Match, soccer_v0
+from soccer_env import Match, __version__, soccer_v0
 from soccer_env.leagues import LEAGUES
 from soccer_env.match.arguments import MatchSettings
 from soccer_env.scenes import SCENES
@@ -34,16 +34,17 @@ PAGES = (
 TUTORIALS = ("train/FROM_ZERO.md", "train/WATCH_AND_PLOT.md", "train/TRAIN_AND_RANK.md")  # run as notebooks
 OTHERS = ("CHANGELOG.md", "soccer_env/REFERENCES.md", *TUTORIALS)  # linked
 TEXTS = {page: (ROOT / page).read_text(encoding="utf-8") for page in (*PAGES, *OTHERS)}
-EXECUTABLES = {"make", "soccer", "pip", "python", "pytest", "git", "ruff", "mypy"}
+EXECUTABLES = {"make", "soccer", "pip", "python", "pytest", "git", "ruff", "mypy", "cffconvert"}
 README_LINES = 160
 WORDS = {  # of each heading of the README
-    "# soccer_env": 125,
+    "# soccer_env": 120,
     "Install": 80,
-    "Play": 70,
-    "Gallery": 210,
+    "Play": 60,
+    "Gallery": 205,
     "Measured": 305,
-    "How it compares": 120,
+    "How it compares": 115,
     "Where to look": 55,
+    "Licence": 25,
     "Cite": 35,
 }
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
@@ -184,6 +185,10 @@ def test_badges_and_citation_say_what_the_package_says() -> None:
     for field in ("title", "version"):
         told = re.findall(rf'^{field}: "?([^"\n]+)', citation, re.MULTILINE)
         assert told and re.findall(f"{field} = {{([^}}]+)}}", TEXTS["README.md"])[:1] == told[:1]
+    (day,) = re.findall(r"^date-released: ([-\d]+)$", citation, re.MULTILINE)
+    assert told == [__version__]
+    newest = re.search(r"^## (.*)", (ROOT / "CHANGELOG.md").read_text(encoding="utf-8"), re.MULTILINE)
+    assert newest and newest[1] == f"[{told[0]}] - {day}"
 
 
 def test_the_page_of_the_environment_names_every_setting_of_a_match() -> None:

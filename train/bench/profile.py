@@ -26,7 +26,7 @@ from soccer_env.perception.legged import picture, sense
 from soccer_env.perception.omni import sense as mirror
 from soccer_env.perception.sensing import make_sensor_kernel
 from soccer_env.train.bench.benchmark import LEAGUES, Row, machine
-from soccer_env.train.bench.loads import CoreLoad
+from soccer_env.train.bench.loads import PLAYERS, CoreLoad
 from soccer_env.train.bench.settings import BenchSettings
 from soccer_env.train.progress import Progress
 
@@ -121,8 +121,8 @@ LOOPS = {"legged-2001": (legged_sensors, legged_filters), "middle-size-2006": (o
 class StagedLoad(CoreLoad):
     """Chaser play that adds up the processor time of each stage."""
 
-    def __init__(self, league: str, settings: BenchSettings) -> None:
-        super().__init__(league, "chaser", settings.matches, 1, settings.seed, "particles")
+    def __init__(self, league: str, matches: int, seed: int, players: int = PLAYERS) -> None:
+        super().__init__(league, "chaser", matches, 1, seed, "particles", players)
         self.spent = dict.fromkeys(STAGES, 0.0)
         match, batch = self.match, self.match.batch
         for stage, owner, name in (
@@ -190,7 +190,7 @@ def profile_step(settings: BenchSettings) -> dict[str, Any]:
 
 def profile_rows(league: str, settings: BenchSettings) -> Iterator[Row]:
     """Yield a row for each stage of a league's step, and for each mechanism of its sensors and filters."""
-    load = StagedLoad(league, settings)
+    load = StagedLoad(league, settings.matches, settings.seed)
     samples = [load.stages(settings.steps) for _ in range(settings.repetitions)]
     stages = {stage: median(sample[stage] for sample in samples) for stage in STAGES}
     whole = sum(stages.values())

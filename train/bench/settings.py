@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import inf
 from pathlib import Path
 
 from soccer_env.train.written_settings import CommandSettings
@@ -30,6 +31,12 @@ class BenchSettings(CommandSettings):
     """Compare with other environments instead, such as VMAS football: pip installs each at its first use in an
     environment of its own, and both leagues are timed beside it by turns, with equal numbers of matches and threads.
     Prints match steps/s and the ratio, ours over theirs, with its 95 % interval."""
+    growth: bool = False
+    """Print instead how costs grow with robots, players seen, matches, threads, the length of a replay: the slope on
+    logarithmic axes beside the order that the work needs. With --out also a picture. Linux only; memory: 8 GB."""
+    soak: float = 0.0
+    """Play so many million match steps instead, and compare memory, open files and time at the end with those at the
+    beginning. Linux only."""
     rows: str = ""
     """With --against or --peers: time only rows whose names contain all these words; all rows take most of an hour."""
 
@@ -37,8 +44,13 @@ class BenchSettings(CommandSettings):
         super().__post_init__()
         if self.against is not None and not self.against.is_dir():
             raise ValueError(f"against must be the folder of a checkout, got {self.against}")
-        if self.profile + self.peers + (self.against is not None) > 1:
-            raise ValueError("profile measures this checkout alone: give profile or against, or peers")
+        kinds = self.profile, self.peers, self.growth, self.soak != 0, self.against is not None
+        if sum(kinds) > 1:
+            raise ValueError("these are measured one at a time: give profile, growth, soak, peers or against")
+        if not 0 <= self.soak < inf:
+            raise ValueError(f"soak must be a number of million match steps, got {self.soak}")
+        if (self.growth or self.soak) and not Path("/proc/self/statm").exists():
+            raise ValueError("growth and soak read the memory of the process from /proc, which this system lacks")
         if self.rows and self.against is None and not self.peers:
             raise ValueError("rows chooses among the rows of a comparison: give against as well, or peers")
 

@@ -55,7 +55,8 @@ def main(steps: int = 2_000_000, seed: int = 1, out: Path = Path("runs/ppo_rllib
     register_env("soccer", lambda given: SoccerVectorEnv(**GAME, num_envs=given["num_envs"], opponents=Lineup(FIRST)))
     config = PPOConfig().environment("soccer").debugging(seed=seed)
     config.env_runners(num_env_runners=0, num_envs_per_env_runner=64, gym_env_vectorize_mode="vector_entry_point")
-    config.training(train_batch_size_per_learner=BATCH, minibatch_size=1024, num_epochs=4, lr=1e-3, gamma=0.996)
+    config.training(train_batch_size_per_learner=BATCH, minibatch_size=1024, num_epochs=4, lr=5e-4, gamma=0.996)
+    config.training(lambda_=0.95, clip_param=0.2, use_kl_loss=False, grad_clip=1.0, vf_loss_coeff=0.5)
     net = DefaultModelConfig(fcnet_hiddens=[64, 64], fcnet_activation="tanh", free_log_std=True, vf_share_layers=False)
     algorithm = config.rl_module(model_config=net).build_algo()
     for turn in range(1, -(-steps // BATCH) + 1):

@@ -1,4 +1,4 @@
-// Data out of the page: see packing.py.
+// Data out of the page: see fields.py.
 
 // Return packed bytes; throw an error unless there are `count` of them.
 async function unpackBytes(text, count) {
