@@ -14,7 +14,6 @@ sb3_actor.py    the parameters of the actor in these zips
 onnx_team.py    policies in ONNX files as teams
 onnx_export.py  policies written as ONNX files
 onnx_checks.py  checks of ONNX files: a network of known size
-skilled.py      the choice of a skill, and carrying it out
 perceptron.py   the network, computed in compiled code
 recurrent.py    a recurrent memory before the layers
 policies/       the bundled policies, with their model card

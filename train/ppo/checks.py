@@ -21,12 +21,12 @@ from soccer_env.train.cluster import Workers
 from soccer_env.train.ppo.curriculum import Curriculum
 from soccer_env.train.ppo.learner import check_device
 from soccer_env.train.ppo.match_blocks import split_matches
-from soccer_env.train.ppo.matches import Matches, open_matches
 from soccer_env.train.ppo.networks import blank_policy, widened_policy
 from soccer_env.train.ppo.reporting.loggers import check_packages
 from soccer_env.train.ppo.reports import policy_contest
 from soccer_env.train.ppo.settings import TrainSettings, command_of, senses_of
 from soccer_env.train.ppo.stages import Sizes
+from soccer_env.train.ppo.updating.matches import Matches, open_matches
 from soccer_env.train.provenance import commit, version_of
 from soccer_env.train.written_settings import split_variation
 

@@ -10,9 +10,9 @@ import torch
 from soccer_env.agents.policy_file import load
 from soccer_env.observations import layout
 from soccer_env.train.ppo.checkpoints import read_checkpoint
-from soccer_env.train.ppo.matches import Matches
 from soccer_env.train.ppo.networks import SoccerPolicy, copy_actor
 from soccer_env.train.ppo.settings import TrainSettings
+from soccer_env.train.ppo.updating.matches import Matches
 from soccer_env.train.ppo.updating.rollout import Rollout, Start, collect
 from soccer_env.train.ppo.updating.update import make_optimizer, update
 

@@ -21,7 +21,6 @@ from soccer_env.train.ppo.checks import make_matches, policy_origin
 from soccer_env.train.ppo.curriculum import Curriculum
 from soccer_env.train.ppo.learner import Learner, begin_networks
 from soccer_env.train.ppo.match_blocks import Result
-from soccer_env.train.ppo.matches import Matches
 from soccer_env.train.ppo.networks import export_policy
 from soccer_env.train.ppo.reporting.page import page_of
 from soccer_env.train.ppo.reporting.tally import per_minute
@@ -37,6 +36,7 @@ from soccer_env.train.ppo.reports import (
 from soccer_env.train.ppo.run_folder import BEST, CURVE, REPORT, RunFolder
 from soccer_env.train.ppo.settings import LAST, TrainSettings
 from soccer_env.train.ppo.stages import StageClock
+from soccer_env.train.ppo.updating.matches import Matches
 
 CHECKPOINT_SHARE = 0.05  # of a run's time, at most
 

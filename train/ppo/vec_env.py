@@ -81,8 +81,7 @@ class SoccerVecEnv(VecEnv):
         part: slice = slice(None),
         **settings: Any,
     ) -> None:
-        self.repeat, self.stagger, self.results = action_repeat, stagger, list[Result]()
-        self.render_mode = None
+        self.repeat, self.stagger, self.results, self.render_mode = action_repeat, stagger, list[Result](), None
         check_request(players, opponents is None, action_repeat, threads, settings)
         every = split_matches(players, matches)
         blocks, self._first = every[part], sum(count for _, count in every[: part.start or 0])  # the first match here
@@ -103,16 +102,15 @@ class SoccerVecEnv(VecEnv):
         self.observed = len(self.matches[0].observation_names)  # entries before the state
         self.first_decision = first_decision_step(self.matches[0].league.delay_steps, action_repeat)
         rows = [match.count * learners for match, learners in zip(self.matches, self.learners, strict=True)]
-        self.size_of_row = np.repeat(size_numbers([sizes for sizes, _ in blocks]), rows)
+        self.size_of_row = np.repeat(size_numbers([size for size, _ in blocks]), rows)
         self._order = np.argsort([-match.count * len(match.agents) for match in self.matches]).tolist()  # longest first
         self.edges = np.concatenate([[0], np.cumsum(rows)]).tolist()
-        self.opponents = [playing(match) for match in self.matches]
+        self.opponents, self.tallies = [playing(match) for match in self.matches], make_tallies(self)
         kind = self.matches[0].settings.actions
         self._actions = np.zeros((self.edges[-1], *kind.shape), np.int64 if kind.parts else np.float64)
         seen = spaces.Box(-1.0, 1.0, self._observations().shape[1:], np.float32)
         super().__init__(self.edges[-1], seen, kind.space())
         self._seed, self._asked = seed, False  # whether a step was asked for
-        self.tallies = make_tallies(self)
         self._returns, self._lengths = np.zeros(self.num_envs), np.zeros(self.num_envs, np.int64)
 
     # The interface of stable-baselines3

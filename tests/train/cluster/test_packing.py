@@ -12,7 +12,7 @@ from soccer_env.train.cluster import Tasks
 from soccer_env.train.cluster.packing import pack_code
 from soccer_env.train.command.parsing import read_settings
 from soccer_env.train.evaluate import EvaluateSettings
-from soccer_env.train.ppo.matches import share_blocks
+from soccer_env.train.ppo.updating.matches import share_blocks
 
 
 def test_the_code_has_one_hash_until_a_module_is_loaded(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

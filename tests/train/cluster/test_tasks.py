@@ -15,7 +15,7 @@ from soccer_env.train.evaluate import EvaluateSettings, evaluate, evaluate_drill
 from soccer_env.train.papers.reproduction import reproduce
 from soccer_env.train.papers.settings import ReproduceSettings
 from soccer_env.train.ppo import training
-from soccer_env.train.ppo.matches import SharedMatches
+from soccer_env.train.ppo.updating.matches import SharedMatches
 from soccer_env.train.tournament import TournamentSettings, tournament
 from tests.train.cluster import victims
 from tests.train.cluster.victims import Victim

@@ -1,5 +1,6 @@
 """Learning from rewards by PPO, a rollout at a time.
 
+matches.py   the matches of a run, here or on a cluster
 rollout.py   play of all matches between two updates, and its advantages
 update.py    gradient steps on a rollout
 """

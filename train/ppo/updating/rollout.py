@@ -13,8 +13,8 @@ from typing import NamedTuple
 import numpy as np
 import torch
 
-from soccer_env.train.ppo.matches import Matches
 from soccer_env.train.ppo.networks import SoccerPolicy
+from soccer_env.train.ppo.updating.matches import Matches
 
 CHUNK = 16_384  # rows in a pass of a network over a rollout
 LEAST_SCALE = 1e-6  # of a standard deviation
@@ -62,9 +62,7 @@ def collect(
     observations = np.empty((length, rows, seen.shape[1]), np.float32)
     means, drawn = (np.empty((length, rows, actions), np.float32) for _ in range(2))
     rewards, dones = np.empty((length, rows), np.float32), np.empty((length, rows), bool)
-    cut_off: list[tuple[int, int]] = []
-    last_seen: list[np.ndarray] = []
-    seconds = 0.0
+    cut_off, last_seen, seconds = list[tuple[int, int]](), list[np.ndarray](), 0.0
     torch.set_num_threads(1)  # an actor of few rows is slower on more
     for t in range(length):
         observations[t] = seen
