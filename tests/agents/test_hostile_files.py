@@ -140,8 +140,11 @@ CORPUS = {
     "infinite number": (with_table(json.dumps(TABLE).replace('"action_repeat": 1', '"action_repeat": 1e999')), "inf"),
     "huge number": (with_table(json.dumps(TABLE).replace("false", "9" * 100_000, 1)), "number of 100000 digits"),
     "huge size": (pack_safetensors(json.dumps(HEADER).replace("[3, 2]", f"[{'9' * 5000}]").encode()), "5000 digits"),
-    "other version": (with_fields(version=8), r"is of format version 8; this soccer_env \(0\.1\.0\) reads versions 3 "),
-    "a later maker": (with_fields(version=8, made={"soccer_env": "9\n[red]"}), r"made by soccer_env 9 \[red\]; this"),
+    "other version": (
+        with_fields(version=99),
+        r"is of format version 99; this soccer_env \(0\.1\.0\) reads versions 3 ",
+    ),
+    "a later maker": (with_fields(version=99, made={"soccer_env": "9\n[red]"}), r"made by soccer_env 9 \[red\]; this"),
     "version in words": (with_fields(version="1"), "is of format version '1'"),
     "version is true": (with_fields(version=True), "is of format version True"),
     "no version": (with_table(without_key(TABLE, "version")), "is of format version None"),

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from soccer_env.agents import policy as limits
 from soccer_env.agents.policy import Policy, training_fields
-from soccer_env.agents.policy_file import MAX_FILE, MAX_HEADER, dump, load, parse
+from soccer_env.agents.policy_file import MAX_FILE, MAX_HEADER, VERSION, dump, load, parse
 from soccer_env.leagues import Slots, find_league
 from soccer_env.observations import entry_names
 from tests.agents.staged_files import FIELDS, assert_content_refused, with_fields
@@ -162,7 +162,8 @@ def test_a_league_is_known_by_what_it_is_and_not_by_its_name() -> None:
 
 @pytest.mark.parametrize("version", [1, 2])
 def test_a_file_of_a_version_before_the_first_release_is_refused(version: int) -> None:
-    assert_content_refused(with_fields(version=version), f"is of format version {version}; .* reads versions 3 to 7")
+    refused = f"is of format version {version}; .* reads versions 3 to {VERSION}"
+    assert_content_refused(with_fields(version=version), refused)
 
 
 def test_inputs_are_found_by_name_and_a_missing_entry_is_named() -> None:

@@ -71,7 +71,7 @@ def test_a_soak_finds_memory_and_files_that_are_kept(tmp_path: Path, monkeypatch
     record = soak.Mixture.record
 
     def leaking(mixture: soak.Mixture, path: Path) -> int:
-        kept.extend((b"x" * (8 << 20), path.parent.joinpath("kept").open("w")))
+        kept.extend((b"x" * (soak.resident_bytes() // 20), path.parent.joinpath("kept").open("w")))
         return record(mixture, path)
 
     monkeypatch.setattr(soak.Mixture, "record", leaking)

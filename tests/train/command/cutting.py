@@ -102,12 +102,13 @@ class Child:
 def files(folder: Path) -> list[Any]:
     """Return what can be seen of the files of a folder without reading them."""
     found = []
-    for path in folder.rglob("*"):
-        try:
-            state = path.stat()
-        except FileNotFoundError:
-            continue
-        found.append((path, state.st_ino, state.st_size, state.st_mtime_ns))
+    for place, folders, names in os.walk(folder):  # which passes over what vanishes meanwhile
+        for name in (*folders, *names):
+            try:
+                state = os.stat(os.path.join(place, name))
+            except FileNotFoundError:
+                continue
+            found.append((place, name, state.st_ino, state.st_size, state.st_mtime_ns))
     return found
 
 

@@ -156,7 +156,7 @@ def test_a_policy_says_where_it_comes_from(whole: Path) -> None:
 def test_the_best_policy_is_that_of_the_best_evaluation(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     differences = iter([0.0, 2.0, 1.0])
 
-    def pretend(policy: Any, settings: TrainSettings) -> list[dict[str, Any]]:
+    def pretend(policy: Any, settings: TrainSettings, workers: Any) -> list[dict[str, Any]]:
         difference = next(differences)
         row = {"players": "1v1", "opponent": "still", "goal_difference": difference, "low": 0.0, "high": 0.0}
         return [{**row, "points": 0.5}]
