@@ -42,6 +42,7 @@ class Nodes:
     def add_other(self) -> None:
         """Start the other node."""
         self.other = self.cluster.add_node(**self.core)
+        self.cluster.wait_for_nodes()  # also until one that was killed is missed
 
     def kill_other(self) -> None:
         """Kill the other node without a farewell."""
@@ -52,7 +53,6 @@ class Nodes:
 def nodes() -> Iterator[Nodes]:
     """Return the cluster; every test joins it by its address."""
     nodes = Nodes()
-    nodes.cluster.wait_for_nodes()
     yield nodes
     ray.shutdown()
     nodes.cluster.shutdown()
