@@ -9,7 +9,7 @@
       -> mean of the actions (4,) or (7,), clipped to [-1, 1] when played  `actions.BOX` or `actions.FULL`
          or squashed by tanh; or a value for each of `actions.DISCRETE`, of which the largest is played, or for
          each choice of the parts of "multi", of which the largest of each part is played, or for each of
-         `choices.SKILLS`, of which the largest of those that apply is played
+         the skills in `choices.SKILLS`, of which the skill with the largest value among those that apply is played
 
 Every policy is checked when it is made: a checked policy can neither overflow nor give NaN.
 """
