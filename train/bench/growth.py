@@ -44,6 +44,7 @@ PLAYED = 10  # control steps before the memory is read: Chipmunk keeps contacts 
 FITTED = 3  # sizes, the largest, through which the line goes
 SLACK = 0.15  # of an order: caches miss more often when there is more
 APPENDED = 500  # control steps of which the mean is the time to append one
+UNDRAWN = ("a step: drive", "a step: referee")  # the cheapest stages: a panel has six colours
 
 
 @dataclass(frozen=True)
@@ -214,7 +215,8 @@ def draw_growth(curves: dict[str, list[Curve]]) -> Any:
     drawn, axes = canvas(2 * HEIGHT, 1.6 * WIDTH, 2, 2)
     for panel, place in zip(panels, axes.flat, strict=True):
         for league, line in zip(curves, LINES):
-            shown = [curve for curve in curves[league] if panel == ("memory" if curve.memory else curve.axis)]
+            drawable = [curve for curve in curves[league] if curve.name not in UNDRAWN]
+            shown = [curve for curve in drawable if panel == ("memory" if curve.memory else curve.axis)]
             for curve, (colour, marker, _) in zip(shown, curve_styles()):
                 label = f"{curve.name}, by {curve.axis}" if curve.memory else curve.name
                 costs = np.array(curve.costs) / (1024 if curve.memory else 1e-6)

@@ -9,7 +9,7 @@ from soccer_env.train.pages.tables.teams import crosstable
 from soccer_env.train.statistics import wilson_interval
 from soccer_env.train.written_settings import with_ray
 
-RUNS = 400  # the interval of a share of 50 % is then +-5 %
+RUNS = 200  # the interval of a share of 50 % is then +-7 %
 FIXED = ("still", "random", "walker")
 TEAMS = {
     "legged-2001": (*FIXED, "chaser", "sacks-2001", "sacks-2001-tuned", "sacks-2001-future", "learned"),
