@@ -13,13 +13,11 @@ import zlib
 from datetime import datetime
 from pathlib import Path
 from typing import Any
-from xml.etree import ElementTree
 
 import numpy as np
 
 from soccer_env.data_out import kloppy_tracking
 from soccer_env.data_out.collect import MatchRecording
-from soccer_env.data_out.sportec import write_sportec
 from soccer_env.data_out.standard import KICK_OFF, write_standard
 from soccer_env.data_out.table_files import write_tables
 from soccer_env.data_out.tables import match_tables
@@ -83,36 +81,6 @@ def from_standard(_: Replay, found: MatchRecording, folder: Path) -> Told:
     }  # fmt: skip
 
 
-def from_sportec(_: Replay, found: MatchRecording, folder: Path) -> Told:
-    root, rate = ElementTree.parse(write_sportec(found, folder / "x.xml")).getroot(), found.league.control_rate
-    names = {player.name: player.row for player in found.players}
-    periods, firsts = {"firstHalf": 1, "secondHalf": 2}, {1: 10_000, 2: 100_000}
-    sets = [(periods[one.get("GameSection", "")], one) for one in root.iter("FrameSet")]
-    balls = {(p, int(f.get("N", ""))): f for p, one in sets if one.get("PersonId") == "BALL" for f in one.iter("Frame")}
-    rows = {key: at for at, key in enumerate(balls)}
-    robots, speeds = np.full((len(rows), len(names), 2), NAN), np.full((len(rows), len(names)), NAN)
-    for period, one in sets:
-        for frame in one.iter("Frame") if one.get("PersonId") in names else ():
-            at, row = rows[period, int(frame.get("N", ""))], names[one.get("PersonId", "")]
-            assert frame.get("T") == balls[period, int(frame.get("N", ""))].get("T")
-            robots[at, row], speeds[at, row] = numbers_of(frame, "X", "Y"), numbers_of(frame, "S")[0] / 3.6
-    stamps = {key: frame_at(f"{frame.get('T')}", rate) for key, frame in balls.items()}
-    starts = {period: stamps[period, first] for period, first in firsts.items()}
-    late = [(stamps[p, n] - starts[p]) / rate - (n - firsts[p]) / 25 for p, n in balls]  # [s]
-    assert np.abs(late).max() <= 0.5 / rate + 1e-9, "each shows the control step nearest in time"
-    return {
-        "frame": np.array([*stamps.values()]), "period": np.array([p for p, _ in balls]), "robots": robots,
-        "speeds": speeds, "ball": np.array([numbers_of(frame, "X", "Y") for frame in balls.values()]),
-        "ball_speed": np.array([numbers_of(frame, "S")[0] / 3.6 for frame in balls.values()]),
-        "owner": np.array([{"1": 0, "2": 1, "0": -1}[f"{frame.get('BallPossession')}"] for frame in balls.values()]),
-        "in_play": np.array([frame.get("BallStatus") == "1" for frame in balls.values()]),
-    }  # fmt: skip
-
-
-def numbers_of(element: ElementTree.Element, *names: str) -> tuple[float, ...]:
-    return tuple(float(element.get(name, "")) for name in names)
-
-
 def from_kloppy(replay: Replay, found: MatchRecording, _: Path) -> Told:
     dataset = kloppy_tracking(replay)
     names = {player.name: player.row for player in found.players}
@@ -158,5 +126,5 @@ def from_page(replay: Replay, found: MatchRecording, _: Path) -> Told:
     return {name: numbers[shown] for name, numbers in told.items()}
 
 
-READERS = {"csv": from_csv, "parquet": from_parquet, "cdf": from_standard, "xml": from_sportec}
+READERS = {"csv": from_csv, "parquet": from_parquet, "cdf": from_standard}
 READERS |= {"kloppy": from_kloppy, "page": from_page}

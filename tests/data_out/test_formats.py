@@ -11,8 +11,7 @@ import numpy as np
 import pytest
 
 from soccer_env.data_out import kloppy_tracking
-from soccer_env.data_out.collect import SIDES, MatchRecording
-from soccer_env.data_out.sportec import RATE, write_sportec
+from soccer_env.data_out.collect import MatchRecording
 from soccer_env.data_out.standard import FILES, write_standard
 from soccer_env.replay import Replay
 from soccer_env.train.evaluate import EvaluateSettings, evaluate
@@ -46,30 +45,6 @@ def test_the_common_data_format_tells_each_goal_once(found: MatchRecording, tmp_
         assert (half["frame_id_start"], half["frame_id_end"]) == (inside[0], inside[-1])
         lasts = datetime.fromisoformat(half["end_time"][:-1]) - datetime.fromisoformat(half["start_time"][:-1])
         assert lasts.total_seconds() == pytest.approx(np.ptp(found.time[inside]), abs=1e-5)
-
-
-def test_kloppy_reads_the_xml(found: MatchRecording, tmp_path: Path) -> None:
-    sportec = pytest.importorskip("kloppy.sportec")
-    path = write_sportec(found, tmp_path / "x.xml")
-    with path.open("rb") as about, path.open("rb") as positions:
-        dataset = sportec.load_tracking(meta_data=about, raw_data=positions, coordinates="sportec:tracking")
-    assert dataset.metadata.frame_rate == RATE
-    assert [team.name for team in dataset.metadata.teams] == list(found.teams)
-    assert (dataset.metadata.score.home, dataset.metadata.score.away) == tuple(found.score[-1])
-    assert dataset.metadata.pitch_dimensions.pitch_length == found.league.pitch.length
-    periods = found.periods
-    for period in (1, 2):
-        inside = np.flatnonzero(periods == period)
-        frames = [frame for frame in dataset.frames if frame.period.id == period]
-        assert len(frames) == pytest.approx(len(inside) * RATE / found.league.control_rate, abs=2)
-        for frame in frames[:: max(1, len(frames) // 20)]:
-            at = inside[0] + round(frame.timestamp.total_seconds() * found.league.control_rate)
-            assert frame.ball_coordinates.x == pytest.approx(found.ball[at, 0], abs=1e-4)
-            owner = int(found.owners()[at])
-            assert owner < 0 or frame.ball_owning_team.ground.value == SIDES[owner], "kloppy knows no ball of nobody"
-            places = {player.player_id: data.coordinates for player, data in frame.players_data.items()}
-            for player in found.players:
-                assert places[player.name].y == pytest.approx(found.robots["y"][at, player.row], abs=1e-4)
 
 
 def test_kloppy_turns_its_dataset_there_and_back(replay: Replay, found: MatchRecording) -> None:

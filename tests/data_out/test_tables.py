@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from soccer_env.data_out.sportec import write_sportec
 from soccer_env.data_out.standard import write_standard
 from soccer_env.data_out.table_files import escape_formula, write_tables
 from soccer_env.data_out.tables import EVENTS, TRACKING, event_table, match_tables, tracking_table
@@ -79,7 +78,7 @@ def test_no_cell_of_a_csv_is_a_formula(text: str) -> None:
     assert escape_formula("match-1") == "match-1"
 
 
-@pytest.mark.parametrize("name", ["x.csv", "x.xml", "x.cdf"])
+@pytest.mark.parametrize("name", ["x.csv", "x.cdf"])
 def test_nothing_is_written_over(folder: Path, tmp_path: Path, name: str, soccer: Any) -> None:
     words = ["export", folder / "one.replay", "--out", tmp_path / name]
     soccer(*words)
@@ -98,7 +97,7 @@ def test_folders_of_other_things_and_without_replays_are_refused(folder: Path, t
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="limits of Unix")
-@pytest.mark.parametrize("name", ["x.csv", "x.parquet", "x.xml", "x.cdf"])
+@pytest.mark.parametrize("name", ["x.csv", "x.parquet", "x.cdf"])
 def test_where_there_is_no_room_nothing_is_left_and_the_file_is_named(found: Any, tmp_path: Path, name: str) -> None:
     import resource
 
@@ -109,7 +108,7 @@ def test_where_there_is_no_room_nothing_is_left_and_the_file_is_named(found: Any
             if name in ("x.csv", "x.parquet"):
                 write_tables([match_tables(found)], tmp_path / name)
             else:
-                (write_sportec if name == "x.xml" else write_standard)(found, tmp_path / name)
+                write_standard(found, tmp_path / name)
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, before)
     assert Path(error.value.filename).is_relative_to(tmp_path)
@@ -118,7 +117,7 @@ def test_where_there_is_no_room_nothing_is_left_and_the_file_is_named(found: Any
 
 NEEDS = {"parquet": "pyarrow", "kloppy": "kloppy"}
 # [m, m/s, rad] half of the last digit, and a little
-ROUNDED = {"kloppy": 1e-12, "page": 6e-4, "xml": 6e-4, "cdf": 1e-4, "csv": 1e-6}
+ROUNDED = {"kloppy": 1e-12, "page": 6e-4, "cdf": 1e-4, "csv": 1e-6}
 Records = dict[str, np.ndarray]
 
 

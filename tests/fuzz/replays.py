@@ -33,7 +33,7 @@ ODD: list[Any] = [
 ]  # fmt: skip
 DEEP = "[" * 100_000
 WAYS = ("start", "log", "commands", "gazes", "header", "header", "header", "text", "thoughts", "about", "save header")
-HOW = ("play", "play", "page", "csv", "xml")
+HOW = ("play", "play", "page", "csv", "cdf")
 
 
 class Agreed(str):
@@ -196,7 +196,7 @@ def use(parts: dict[str, np.ndarray], path: Path, how: str) -> str:
     with path.open("wb") as file:
         np.savez(file, **parts)  # type: ignore[arg-type]  # numpy's stubs take them for allow_pickle
     with patch.object(saving, "play_hash", lambda match: Agreed()):
-        if how in ("csv", "xml"):
+        if how in ("csv", "cdf"):
             code = main(["export", str(path), "--out", str(path.with_suffix(f".{how}")), "--anew"])
             return "" if code == 0 else refuse(code)
         replay = Replay.read(path)

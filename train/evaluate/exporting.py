@@ -5,7 +5,6 @@ from dataclasses import asdict, replace
 from pathlib import Path
 
 from soccer_env.data_out.collect import MatchRecording, collect_match
-from soccer_env.data_out.sportec import write_sportec
 from soccer_env.data_out.standard import FILES, write_standard
 from soccer_env.data_out.table_files import require_writer, table_paths, write_tables
 from soccer_env.data_out.tables import match_tables
@@ -25,8 +24,7 @@ from soccer_env.train.evaluate.recording import check_target
 from soccer_env.train.progress import Progress
 
 TABLES = (".csv", ".parquet")
-OF_ONE = (".xml", ".cdf")  # a file, or a folder of files, holds one match
-DATA = (*TABLES, *OF_ONE)
+DATA = (*TABLES, ".cdf")  # the last is a folder of files, of one match
 KINDS = (".html", ".mp4", ".gif", ".png", *DATA)
 
 
@@ -111,7 +109,7 @@ def export_data(settings: ExportSettings) -> list[Path]:
             write_atomically(settings.target, draw_beliefs(matches, kind[1:]))
         else:
             for match, target in zip(matches, targets, strict=True):
-                (write_sportec if kind == ".xml" else write_standard)(match, target)
+                write_standard(match, target)
     return targets
 
 

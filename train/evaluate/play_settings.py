@@ -75,7 +75,6 @@ class ExportSettings(FilmSettings, CommandSettings):
     .html        a page for the browser (the default, named after the replay)
     .csv, .parquet   tidy tables: a row for each frame and object, and NAME_events with a row for each event
     .cdf         the Common Data Format: a folder of JSON and JSON lines
-    .xml         tracking data of the German league (DFL, Sportec), which kloppy reads
     .png         one picture of the match
 
     With --maps, .png, .svg and .pdf show heat maps, pass networks and shot maps, also from a result.json.

@@ -146,7 +146,3 @@ class PlainSettings:
     """Device that trains the networks; auto uses a GPU if there is one."""
     log: str = ""
     """Optional logs in the format of stable-baselines3, separated by commas: csv, tensorboard, wandb."""
-    keep: str = ""
-    """Replays of best.safetensors to keep, separated by commas: best, worst, goals (clips)."""
-    keep_pages: bool = False
-    """Also write every kept replay as a page for the browser."""

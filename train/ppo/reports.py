@@ -1,6 +1,5 @@
 """The reports of a training run: its log, evaluations with intervals, and the learning curve."""
 
-import re
 import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -11,15 +10,13 @@ import numpy as np
 
 from soccer_env.agents.learned import team_from_policy
 from soccer_env.agents.policy import Policy
-from soccer_env.agents.policy_file import load
 from soccer_env.leagues import find_league
 from soccer_env.train.cluster import Workers
 from soccer_env.train.evaluate.contest import Contest, contest_of, play_matches
-from soccer_env.train.evaluate.replays import Keep, Kept, keep_replays, kept_in
 from soccer_env.train.evaluate.results import MatchLine, summarise
 from soccer_env.train.evaluate.settings import EvaluateSettings, conditions_of
 from soccer_env.train.ppo.match_blocks import Result
-from soccer_env.train.ppo.run_folder import BEST, RunFolder
+from soccer_env.train.ppo.run_folder import RunFolder
 from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.ppo.stages import Sizes
 from soccer_env.train.progress import Progress
@@ -223,20 +220,3 @@ def best_evaluation_sentence(result: Any) -> str:
         f"best: after {best['step']:,} decisions, {100 * points:.0f} % of points and {goals:+.2f} goals on average; "
         "the largest of several is a lucky one"
     )
-
-
-def keep_best(settings: TrainSettings, folder: RunFolder, workers: Workers) -> list[Kept]:
-    """Keep replays, as `settings.keep` says, of the best policy against each opponent of the evaluations.
-
-    The matches of its evaluation are played again to find those worth keeping.
-    """
-    path = folder.path / BEST
-    if not path.exists() or not (settings.keep or kept_in(folder.path)):
-        return []
-    policy, kept = load(path), []
-    for number, (players, opponent) in enumerate(product(settings.sizes, settings.judges), 1):
-        contest = policy_contest(policy, opponent, settings, players)
-        lines = play_evaluation(contest, workers)
-        before = f"{number}-{re.sub(r'[^A-Za-z0-9.@=-]', '-', opponent)[:40]}-"
-        kept += keep_replays(contest, lines, Keep(settings.keep, settings.keep_pages), folder.path, before)
-    return kept

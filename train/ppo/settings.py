@@ -15,7 +15,6 @@ from soccer_env.leagues.league import League
 from soccer_env.leagues.rules import rule_set
 from soccer_env.rewards import NAMES, PRESETS, TERMS, Rewards, find_rewards
 from soccer_env.scenes import Scene, mixture, scene_names
-from soccer_env.train.evaluate.replays.choice import Keep
 from soccer_env.train.ppo.options import BOUNDS, LOGS, PlainSettings
 from soccer_env.train.ppo.stages import Sizes, Stage, parse_stages
 from soccer_env.train.written_settings import (
@@ -27,7 +26,7 @@ from soccer_env.train.written_settings import (
 )
 
 FREE = (  # settings that may differ when a run is resumed
-    "out", "threads", "ray", "torch_threads", "steps", "anew", "log", "keep", "keep_pages", "device",
+    "out", "threads", "ray", "torch_threads", "steps", "anew", "log", "device",
 )  # fmt: skip
 
 LAST = "last.safetensors"  # of a run's folder
@@ -76,7 +75,7 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
                 "observe='truth' needs senses='ideal', as the policy will when it plays: give --senses ideal"
             )
         self.sizes, self.hidden_sizes, self.critic_sizes, self.opponent_names, self.judges  # noqa: B018  # check texts
-        self.scene, self.paid, self.logs, Keep(self.keep)  # the same
+        self.scene, self.paid, self.logs  # noqa: B018  # the same
 
     @property
     def stages(self) -> tuple[Stage, ...]:

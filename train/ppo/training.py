@@ -15,7 +15,6 @@ from soccer_env.agents.policy import Policy
 from soccer_env.agents.policy_file import dump
 from soccer_env.agents.trained_with import warn_if_observing_truth
 from soccer_env.train.cluster import Workers
-from soccer_env.train.evaluate.replays import Kept
 from soccer_env.train.ppo.checkpoints import generator_states, read_checkpoint, restore_generators, write_checkpoint
 from soccer_env.train.ppo.checks import make_matches, policy_origin
 from soccer_env.train.ppo.curriculum import Curriculum
@@ -28,7 +27,6 @@ from soccer_env.train.ppo.reports import (
     ProgressBoard,
     evaluate_policy,
     goals_a_minute,
-    keep_best,
     learning_curve,
     merit,
     rounded,
@@ -72,8 +70,6 @@ class Training:
     def __exit__(self, *error: object) -> None:
         self.learner.close()
         self.board.close()
-        if error[0] is None:
-            self.keep_replays()
 
     def timed(self, stage: str) -> AbstractContextManager[None]:
         """Return a context manager that adds the time of its block to a stage in the rollout's log record."""
@@ -157,16 +153,10 @@ class Training:
             self.report()
         self.board.note_evaluation(self.learner.steps, rows)
 
-    def report(self, kept: Sequence[Kept] = ()) -> None:
-        """Write the HTML report of the run, including the kept replays."""
-        page = page_of(self.settings, self.folder.lines(), self.folder.evaluations(), kept)
+    def report(self) -> None:
+        """Write the HTML report of the run."""
+        page = page_of(self.settings, self.folder.lines(), self.folder.evaluations())
         self.folder.write(REPORT, page)
-
-    def keep_replays(self) -> None:
-        """Keep replays of the best policy, after the run has ended."""
-        kept = keep_best(self.settings, self.folder, self.workers)
-        if kept:
-            self.report(kept)
 
     def result(self) -> TrainResult:
         """Return the result of the run."""

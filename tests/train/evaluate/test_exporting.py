@@ -26,7 +26,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     ("name", "starts"),
     [
         ("x.html", b"<!doctype html>"), ("x.png", b"\x89PNG"), ("x.gif", b"GIF89a"), ("x.mp4", b"\x00\x00\x00"),
-        ("x.svg", b"<?xml"), ("x.xml", b"<?xml"), ("x.cdf", b""), ("x.csv", b"match,"), ("x.parquet", b"PAR1"),
+        ("x.svg", b"<?xml"), ("x.cdf", b""), ("x.csv", b"match,"), ("x.parquet", b"PAR1"),
     ],
 )  # fmt: skip
 def test_a_folder_becomes_a_file_for_each_match_or_one_table(
@@ -51,7 +51,7 @@ def test_a_folder_becomes_a_file_for_each_match_or_one_table(
 
 @pytest.mark.parametrize("anew", [False, True])
 def test_a_link_a_folder_or_a_file_of_another_kind_is_in_the_way(tmp_path: Path, anew: bool) -> None:
-    link, folder, file = tmp_path / "x.xml", tmp_path / "y.csv", tmp_path / "z.cdf"
+    link, folder, file = tmp_path / "x.parquet", tmp_path / "y.csv", tmp_path / "z.cdf"
     link.symlink_to(tmp_path / "nowhere")
     folder.mkdir()
     file.write_bytes(b"")
@@ -62,7 +62,7 @@ def test_a_link_a_folder_or_a_file_of_another_kind_is_in_the_way(tmp_path: Path,
     check_targets_free([tmp_path / "own.cdf"], anew=True)
 
 
-@pytest.mark.parametrize("name", ["x.html", "x.xml"])
+@pytest.mark.parametrize("name", ["x.html", "x.cdf"])
 def test_replays_whose_files_would_be_one_are_refused(folder: Path, tmp_path: Path, name: str, soccer: Any) -> None:
     (tmp_path / "in/a").mkdir(parents=True)
     for place in ("in/a/c.replay", "in/a_c.replay"):

@@ -53,18 +53,14 @@ class Kept:
         return 60.0 * self.bytes / max(self.seconds, 1e-9)
 
 
-def keep_replays(
-    contest: Contest, lines: Sequence[MatchLine], keep: Keep, folder: Path, before: str = ""
-) -> list[Kept]:
+def keep_replays(contest: Contest, lines: Sequence[MatchLine], keep: Keep, folder: Path) -> list[Kept]:
     """Write replays of finished matches to a run's folder; return the list of them.
 
     Replays that exist are not played again. The folder keeps the kinds of earlier calls, too. A replay is removed when
-    more matches have changed, for example, which match is the best. `before` begins the names of the files and differs
-    between contests that share a folder. ValueError if a match ends in another state; OSError.
+    more matches have changed, for example, which match is the best. ValueError if a match ends in another state;
+    OSError.
     """
-    earlier_keep, listed = read_kept_list(folder)
-    earlier = [one for one in listed if Path(one.file).name.startswith(before)]
-    others = [one for one in listed if one not in earlier]
+    earlier_keep, earlier = read_kept_list(folder)
     keep = keep.joined_with(earlier_keep)
     if not keep.kinds_in_order:
         return []
@@ -76,11 +72,11 @@ def keep_replays(
         if one not in ready:
             for name in filter(None, (one.file, one.page)):
                 (folder / name).unlink(missing_ok=True)
-    kept = ready + play_missing_replays(contest, missing, folder, before)
+    kept = ready + play_missing_replays(contest, missing, folder)
     if keep.pages:
         kept = [add_page(folder, one) for one in kept]
     kept.sort(key=lambda one: (KINDS.index(one.kind), one.match, one.number))
-    record = {"asked": asdict(keep), "replays": [asdict(one) for one in [*others, *kept]]}
+    record = {"asked": asdict(keep), "replays": [asdict(one) for one in kept]}
     write_atomically(folder / REPLAYS / KEPT, json.dumps(record, indent=1) + "\n")
     return kept
 
@@ -124,9 +120,7 @@ def is_complete(folder: Path, kept: Kept) -> bool:
     return path.is_file() and path.stat().st_size == kept.bytes
 
 
-def play_missing_replays(
-    contest: Contest, missing: list[tuple[str, MatchLine]], folder: Path, before: str
-) -> list[Kept]:
+def play_missing_replays(contest: Contest, missing: list[tuple[str, MatchLine]], folder: Path) -> list[Kept]:
     """Play the matches of missing replays, each match only once, and write the replays."""
     lines = {line.match: line for _, line in missing}
     kept: list[Kept] = []
@@ -135,14 +129,12 @@ def play_missing_replays(
             kinds = [kind for kind, one in missing if one.match == number]
             again = play_match_again(contest, line, GOALS in kinds, bar.advance)
             for kind in kinds:
-                kept += write_replays(contest, line, kind, again, folder, before)
+                kept += write_replays(contest, line, kind, again, folder)
             bar.note(f"{len(kept)} written")
     return kept
 
 
-def write_replays(
-    contest: Contest, line: MatchLine, kind: str, again: ReplayedMatch, folder: Path, before: str
-) -> list[Kept]:
+def write_replays(contest: Contest, line: MatchLine, kind: str, again: ReplayedMatch, folder: Path) -> list[Kept]:
     """Write the replays of one kind (a whole match, or clips of goals) from one match, and return them."""
     conditions, rate = contest.conditions, contest.league.control_rate
     parts = again.goals if kind == GOALS else [(0, again.whole)]
@@ -150,7 +142,7 @@ def write_replays(
     kept = []
     for number, (first, replay) in enumerate(parts, 1):
         name = f"goal-{number}" if kind == GOALS else kind
-        file = f"{REPLAYS}/{before}{name}-match-{line.match}-seed-{line.seed}.replay"
+        file = f"{REPLAYS}/{name}-match-{line.match}-seed-{line.seed}.replay"
         size = replay.write(folder / file).stat().st_size
         entry = Kept(
             kind=kind, file=file, number=number if kind == GOALS else 0, match=line.match, seed=line.seed,

@@ -3,8 +3,6 @@
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from soccer_env.train.evaluate.replays import Kept
-from soccer_env.train.evaluate.replays.keep import add_replays
 from soccer_env.train.ppo.reports import EVALUATIONS, curve_of, evaluation_rows, merit, name_of, step_unit
 from soccer_env.train.ppo.settings import TrainSettings, command_of
 from soccer_env.train.provenance import LIBRARIES, date_and_commit, version_of
@@ -22,8 +20,8 @@ COURSES = (  # title, quantity, and which numbers of the log's lines
 Lines = Sequence[dict[str, Any]]
 
 
-def page_of(settings: TrainSettings, lines: Lines, evaluations: Lines, kept: Sequence[Kept] = ()) -> str:
-    """Return the HTML page of a run, made from its log `lines`, its evaluations, and its kept replays."""
+def page_of(settings: TrainSettings, lines: Lines, evaluations: Lines) -> str:
+    """Return the HTML page of a run, made from its log `lines` and its evaluations."""
     page = ReportPage(f"{settings.name}, {settings.league}, {settings.players}", "soccer train")
     if evaluations:
         best = max(evaluations, key=merit)
@@ -34,7 +32,6 @@ def page_of(settings: TrainSettings, lines: Lines, evaluations: Lines, kept: Seq
         )  # fmt: skip
         page.say("The largest of several is a lucky one: evaluate best.safetensors with another seed.")
         add_evaluations(page, settings, evaluations)
-    add_replays(page, kept)
     if lines:
         page.section("Training")
         for figure in curves_of_log(lines) if can_draw() else ():
