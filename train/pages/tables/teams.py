@@ -12,19 +12,18 @@ from soccer_env.train.evaluate.results import EvaluationResult
 from soccer_env.train.evaluate.settings import EvaluateSettings, command_of, conditions_of
 from soccer_env.train.written_settings import with_ray
 
-SEED, PLAYERS = 1, 3
+SEED, PLAYERS, MINUTES = 1, 3, 4.0  # of a match
 MATCHES = {"ideal": 200, "sensors": 100}
 OPPONENTS = {  # of the chaser, by the senses of both teams
     "ideal": ("still", "random", "chaser@0", "chaser@0.25", "chaser@0.5", "chaser@0.75"),
     "sensors": ("still", "random", "chaser@0", "chaser@0.5"),
 }
 LEAGUES = ("legged-2001", "middle-size-2006")
-SACKS_MATCHES, SACKS_MINUTES = 200, 4.0
+SACKS_MATCHES = 200
 SACKS = (  # home, against the chaser
     "sacks-2001@0", "sacks-2001@0.25", "sacks-2001@0.5", "sacks-2001@0.75", "sacks-2001-tuned", "sacks-2001-future",
 )  # fmt: skip
 WITHOUT = ("recovery=False", "avoidance=False", "recovery=False,avoidance=False")  # avoidance: dribbling as well
-HEINEMANN_MINUTES = 4.0
 HEINEMANN = (  # players a side, home, away, matches; a team without one of its ideas is a team as well
     (3, "heinemann-2006", "chaser", 200),
     *((3, f"heinemann-2006@{strength}", "chaser", 100) for strength in ("0", "0.25", "0.5", "0.75")),
@@ -42,7 +41,7 @@ def scripted_rows() -> Iterator[EvaluateSettings]:
     for league in LEAGUES:
         for senses, opponents in OPPONENTS.items():
             for away in opponents:
-                yield row_settings(league, "chaser", away, senses, MATCHES[senses])
+                yield row_settings(league, "chaser", away, senses, MATCHES[senses], MINUTES)
 
 
 def sacks_rows() -> Iterator[EvaluateSettings]:
@@ -52,13 +51,13 @@ def sacks_rows() -> Iterator[EvaluateSettings]:
     pairs += [(home, "chaser", SACKS_MATCHES) for home in SACKS]
     pairs += [(home, "sacks-2001", SACKS_MATCHES) for home in ("sacks-2001-tuned", "sacks-2001-future")]
     for home, away, matches in pairs:
-        yield row_settings("legged-2001", home, away, "sensors", matches, SACKS_MINUTES)
+        yield row_settings("legged-2001", home, away, "sensors", matches, MINUTES)
 
 
 def heinemann_rows() -> Iterator[EvaluateSettings]:
     """Yield the evaluations of the teams of 2006 with sensors: against the chaser, and without one mechanism."""
     for players, home, away, matches in HEINEMANN:
-        yield row_settings("middle-size-2006", home, away, "sensors", matches, HEINEMANN_MINUTES, players)
+        yield row_settings("middle-size-2006", home, away, "sensors", matches, MINUTES, players)
 
 
 def row_settings(
