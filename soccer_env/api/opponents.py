@@ -17,7 +17,7 @@ class OpponentNames:
     """The opponents of some robots (rows): names of all opponents so far, and the number of the present one."""
 
     def __init__(self, match: Match, rows: np.ndarray) -> None:
-        self.names = [LEARNER]
+        self._names = [LEARNER]
         self._sides = sorted({int(match.agents[row].startswith("away")) for row in rows.tolist()})
         self.turn_to(match)
 
@@ -29,18 +29,28 @@ class OpponentNames:
             last = last_opponent(match, team)
             for squad in match.squads:
                 if last in squad.players:
-                    if squad.name not in self.names:
-                        self.names.append(squad.name)
-                    self._squads[team].append((self.names.index(squad.name), squad))
+                    if squad.name not in self._names:
+                        self._names.append(squad.name)
+                    self._squads[team].append((self._names.index(squad.name), squad))
+
+    @property
+    def names(self) -> list[str]:
+        """Return the names of all opponents so far."""
+        self._take_added()
+        return self._names
 
     def now(self, team: int) -> np.ndarray:
         """Return the number (M,) of the team that plays the last robot of the other side now; 0: a learner."""
-        if len(self._match.squads) != self._known:  # a team was added to a lineup
-            self.turn_to(self._match)
+        self._take_added()
         numbers = np.zeros(self._count, np.int64)
         for number, squad in self._squads[team]:
             numbers[slice(None) if squad.plays is None else squad.plays] = number
         return numbers
+
+    def _take_added(self) -> None:
+        """Store the teams that were added to a lineup."""
+        if len(self._match.squads) != self._known:
+            self.turn_to(self._match)
 
 
 def last_opponent(match: Match, team: int) -> int:

@@ -175,6 +175,16 @@ def test_who_meets_a_learner_is_told_so_and_each_side_has_its_own_opponent() -> 
     assert solo.opponent_names[solo.reset(seed=1)[1]["opponent"]] == "still"  # type: ignore[attr-defined]
 
 
+def test_a_team_that_joins_the_lineup_is_named_without_infos_too() -> None:
+    pool = Lineup(["still"])
+    env = gymnasium.make_vec(ID, num_envs=2, opponents=pool, max_cycles=2, infos="none").unwrapped
+    env.reset(seed=1)
+    pool.add("random")
+    for _ in range(4):
+        env.step(np.zeros((2, 4)))
+    assert env.opponent_names == ["learner", "still", "random"]  # type: ignore[attr-defined]
+
+
 def test_rows_of_stable_baselines_hear_the_name_when_an_episode_ends() -> None:
     chooser = Lineup(["still", "random"])
     env = SoccerVecEnv(players=[(1, 1)], matches=6, opponents=chooser, max_cycles=2, seed=1)
