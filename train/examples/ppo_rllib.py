@@ -1,7 +1,8 @@
 """PPO of RLlib (its current API) on our vector environment: a first win, against `chaser` and its own past selves.
 
 Needs: ray[rllib]==2.60.0 torch==2.13.0
-Reached: TODO
+Reached: 85 % of points after 2,000,000 decisions of seed 1, 3228 s on a busy core (1742 s of its time): a first win,
+by 30 matches of 40 and 66 : 15 goals.
 """
 
 from copy import deepcopy
