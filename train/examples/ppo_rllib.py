@@ -26,10 +26,7 @@ from soccer_env.train.evaluate import EvaluateSettings, evaluate
 LEAGUE, REPEAT, SECONDS = "middle-size-2006", 8, 0.16  # control steps of a decision, and their duration
 NOISE = 0.4  # of the first actions: RLlib's own noise begins with a deviation of 1
 DISCOUNT, DECAY = 0.5 ** (SECONDS / 30.0), 0.5 ** (SECONDS / 3.0)  # half-lives of 30 s and 3 s
-TRAINING = {
-    "gamma": DISCOUNT, "lambda_": DECAY, "lr": 2e-3, "num_epochs": 4, "clip_param": 0.2,
-    "vf_clip_param": 1e9, "use_kl_loss": False,
-}  # fmt: skip
+TRAINING = {"gamma": DISCOUNT, "lambda_": DECAY, "lr": 2e-3, "num_epochs": 4, "clip_param": 0.2, "vf_clip_param": 1e9}
 MODEL = DefaultModelConfig(fcnet_hiddens=[64, 64], fcnet_activation="tanh", vf_share_layers=False, free_log_std=True)
 
 
@@ -57,13 +54,12 @@ def main(steps: int = 2_000_000, seed: int = 1, out: Path = Path("runs/ppo_rllib
     register_env("soccer", matches_of)
     pool = Lineup(["chaser@0.25", "chaser"])
     out.mkdir(parents=True, exist_ok=True)
-    config = PPOConfig().environment("soccer", env_config={"opponents": pool}).debugging(seed=seed)
-    config.environment(normalize_actions=False, clip_actions=False)
+    config = PPOConfig().environment("soccer", env_config={"opponents": pool}, clip_actions=False).debugging(seed=seed)
+    config.environment(normalize_actions=False).rl_module(model_config=MODEL)
     config.env_runners(num_env_runners=0, num_envs_per_env_runner=matches, rollout_fragment_length=64)
-    config.env_runners(gym_env_vectorize_mode=VectorizeMode.VECTOR_ENTRY_POINT).rl_module(model_config=MODEL)
-    algorithm = config.training(
-        train_batch_size_per_learner=64 * matches, minibatch_size=16 * matches, **TRAINING
-    ).build_algo()
+    config.env_runners(gym_env_vectorize_mode=VectorizeMode.VECTOR_ENTRY_POINT).training(use_kl_loss=False, **TRAINING)
+    config.training(train_batch_size_per_learner=64 * matches, minibatch_size=16 * matches)
+    algorithm = config.build_algo()
     runners = algorithm.env_runner_group
     for number in range(1, -(-steps // (64 * matches)) + 1):
         algorithm.train()
