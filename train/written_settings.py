@@ -67,18 +67,18 @@ def split_senses(senses: str) -> tuple[str, str]:
     return both
 
 
-def split_variation(text: str) -> dict[str, tuple[float, float]]:
-    """Parse "ball.mass=0.8:1.2,kicker.miss=2": ranges of factors, or single factors, by name."""
-    ranges: dict[str, tuple[float, float]] = {}
+def split_variation(text: str) -> dict[str, tuple[Any, ...]]:
+    """Parse "ball.mass=0.8:1.2,drive.delay=0.5:2:log,kicker.miss=2": ranges of factors, or single ones, by name."""
+    ranges: dict[str, tuple[Any, ...]] = {}
     for part in text.split(",") if text else ():
         name, _, both = part.strip().partition("=")
         if name in ranges:
             raise ValueError(f"variation names {name} twice, in {text!r}")
-        low, colon, high = both.partition(":")
+        low, *high = both.split(":", 2)
         try:
-            ranges[name] = float(low), float(high if colon else low)
+            ranges[name] = float(low), float(high[0] if high else low), *high[1:]
         except ValueError:
-            raise_not_allowed("variation", "written as NAME=LOW:HIGH,NAME=FACTOR", text)
+            raise_not_allowed("variation", "written as NAME=LOW:HIGH,NAME=LOW:HIGH:log,NAME=FACTOR", text)
     return ranges
 
 

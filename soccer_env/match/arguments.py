@@ -117,7 +117,7 @@ class MatchSettings(CheckedFields):
         '"league", "simple", "none", "league:pushing=False", or Rules; None: "league", or the rules of the drill',
         part="league",
     )
-    variation: Mapping[str, tuple[float, float]] | Variation | None = declare_setting(
+    variation: Mapping[str, tuple[Any, ...]] | Variation | None = declare_setting(
         None, "{name: (low, high)}: factors of the league's numbers, drawn for each episode, see match/variation.py"
     )
     rewards: Literal["default", "sparse", "training"] | Rewards = declare_setting(

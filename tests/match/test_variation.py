@@ -37,6 +37,26 @@ def test_each_match_draws_its_own_factors_from_its_seed(league: str) -> None:
     assert all((before[name] != factors).all() for name, factors in match.variation.items())
 
 
+def test_distributions_of_a_range() -> None:
+    """Of 4000 episodes: a log range has its median at the geometric mean, a bell most in the middle half."""
+    ranges = {"kicker.fastest": (0.5, 2.0, "even"), "drive.delay": (0.5, 2.0, "log"), "ball.mass": (0.5, 2.0, "bell")}
+    variation = make(variation=ranges).settings.variation
+    assert variation is not None and variation.plain["kicker.fastest"] == [0.5, 2.0]
+    drawn = np.array([list(variation.factors({"seed": 3, "episode": e}).values()) for e in range(4000)])
+    assert drawn.min() >= 0.5 and drawn.max() <= 2.0
+    assert np.median(drawn, axis=0) == pytest.approx([1.25, 1.0, 1.25], abs=0.05)
+    middle = ((drawn > 0.875) & (drawn < 1.625)).mean(axis=0)
+    assert middle == pytest.approx([0.5, np.log2(1.625 / 0.875) / 2.0, 0.6827 / 0.9545], abs=0.03)
+
+
+def test_light_is_drawn_itself() -> None:
+    match = make(matches=20, senses="sensors", variation={"sensors.light_drift": (0.2, 0.4)})
+    assert 0.2 <= match.variation["sensors.light_drift"].min() < match.variation["sensors.light_drift"].max() <= 0.4
+    for _ in range(200):
+        match.step(None)
+    assert match.percepts["light"].std() > 0.05, "each match has a phase of its own"
+
+
 def test_factor_one_is_the_league_itself() -> None:
     ones = dict.fromkeys(MANY, (1.0, 1.0))
     assert play(make(matches=3, variation=ones)) == play(make(matches=3))
@@ -143,6 +163,9 @@ def test_observations_do_not_show_the_factors() -> None:
         ({"ball.mass": (0.0, 1.0)}, "out of the league's ranges"),
         ({"sensors.ball_miss": (0.0, 500.0)}, "out of the league's ranges"),
         ("ball.mass", "a mapping of names"),
+        ({"ball.mass": (0.5, 2.0, "lgo")}, "one of even, log, bell"),
+        ({"sensors.ball_miss": (0.0, 2.0, "log")}, "above 0, as their distribution is log"),
+        ({"sensors.light_drift": (0.0, 1.5)}, "out of the league's ranges"),
     ],
 )
 def test_wrong_variations_say_what_exists(variation: Any, words: str) -> None:

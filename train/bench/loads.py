@@ -11,7 +11,7 @@ import numpy as np
 
 from soccer_env.leagues import find_league
 from soccer_env.match import Match
-from soccer_env.match.variation import RATES, names_of
+from soccer_env.match.variation import THEMSELVES, names_of
 from soccer_env.physics.engine.reference import (
     REFERENCE_DISCS,
     REFERENCE_DT,
@@ -61,7 +61,7 @@ class CoreLoad:
     ) -> None:  # fmt: skip
         self.rng = np.random.default_rng(seed)
         settings = find_league(league)
-        ranges = {name: (0.0, 0.01) if name.startswith(RATES) else (0.95, 1.05) for name in names_of(settings)}
+        ranges = {name: (0.0, 0.01) if name in THEMSELVES else (0.95, 1.05) for name in names_of(settings)}
         self.match = self.kind(
             league, home=players, away=players, matches=matches, threads=threads, seed=seed, autoreset="same_step",
             controllers=None if team is None else {"home": team, "away": team}, minutes=settings.evaluation_minutes,
