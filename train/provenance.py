@@ -103,8 +103,8 @@ def check_team_hashes(made: dict[str, str]) -> None:
     """Raise ValueError for a team without a hash: a folder could mistake another team's results for its own."""
     if UNKNOWN in made.values():
         raise ValueError(
-            "a team keeps what cannot be compared with another run's: give the object an attribute `fingerprint`, a "
-            "text that changes with how it plays, or evaluate without out"
+            "a team keeps what cannot be compared with another run's: give it a `fingerprint` (of team_of_function, "
+            "or an attribute of an object), a text that changes with how it plays, or evaluate without out"
         )
 
 

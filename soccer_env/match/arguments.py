@@ -118,7 +118,8 @@ class MatchSettings(CheckedFields):
         part="league",
     )
     variation: Mapping[str, tuple[Any, ...]] | Variation | None = declare_setting(
-        None, "{name: (low, high)}: factors of the league's numbers, drawn for each episode, see match/variation.py"
+        None,
+        "{name: (low, high, distribution)}: factors of the league's numbers for each episode: match/variation.py",
     )
     rewards: Literal["default", "sparse", "training"] | Rewards = declare_setting(
         "default", "a name of `soccer list rewards`, or Rewards", free=True

@@ -130,7 +130,8 @@ def find_variation(value: Any, league: League) -> Variation | None:
 
 
 def check_range(name: str, drawn: Any) -> tuple[float, float, str]:
-    """Return (low, high, distribution) of a range that a user gave; ValueError if it is none."""
+    """Return (low, high, distribution) of a range, or of a single number, that a user gave; ValueError for others."""
+    drawn = (drawn, drawn) if is_number(drawn) else drawn
     if not (isinstance(drawn, (tuple, list)) and len(drawn) in (2, 3) and all(is_number(one) for one in drawn[:2])):
         raise_not_allowed(name, 'two factors, low and high, perhaps with a distribution: (0.5, 2.0, "log")', drawn)
     low, high, kind = float(drawn[0]), float(drawn[1]), drawn[2] if drawn[2:] else "even"

@@ -84,7 +84,7 @@ def test_a_row_for_each_drill_and_team_and_saves_are_aways() -> None:
     ends = dict(zip(("share", "low", "high"), wilson_interval(still.successes, 20), strict=True))
     assert still.as_dict() == asdict(still) | ends
     for wrong, said in (
-        ({"away": "chaser"}, "away does not go with a drill"), ({"home": "still,still"}, "home must be different"),
+        ({"away": "chaser"}, "away goes with matches alone"), ({"home": "still,still"}, "home must be different"),
     ):  # fmt: skip
         with pytest.raises(ValueError, match=said):
             evaluate_drills(EvaluateSettings(**{"scene": "all", **wrong}))

@@ -129,6 +129,8 @@ BAD: list[tuple[dict[str, Any], str]] = [
     ({"memory": object}, "memory must be a dtype of plain numbers, got <class 'object'>"),
     ({"memory": ("f4", (0,))}, "memory must be a dtype of plain numbers"),
     ({"flat": 1}, "flat must be one of True, False, got 1"),
+    ({"memory": ("f4", (1,))}, "the function must take (observations, memory), got "),
+    ({"function": lambda seen, memory: seen}, "a second argument is for memory=, got (seen, memory)"),
     ({"name": ""}, "name must be a plain text, got ''"),
     ({"fingerprint": 7}, "fingerprint must be a plain text, got 7"),
 ]

@@ -121,7 +121,7 @@ def test_the_command_evaluates_a_team_of_a_module(mine: Path, soccer: Any) -> No
 @pytest.mark.usefixtures("mine")
 def test_a_function_that_cannot_be_told_from_another_is_not_evaluated_into_a_folder(soccer: Any) -> None:
     words = [*EVALUATE, "legged-2001", "--home", "my_own:untold"]
-    assert "give the object an attribute `fingerprint`" in soccer(*words, "--out", "run", code=2)
+    assert "give it a `fingerprint`" in soccer(*words, "--out", "run", code=2)
     soccer(*words)
 
 

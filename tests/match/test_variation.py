@@ -59,6 +59,7 @@ def test_light_is_drawn_itself() -> None:
 
 def test_factor_one_is_the_league_itself() -> None:
     ones = dict.fromkeys(MANY, (1.0, 1.0))
+    assert make(variation={"ball.mass": 2}).settings.variation.plain == {"ball.mass": [2.0, 2.0]}
     assert play(make(matches=3, variation=ones)) == play(make(matches=3))
     assert play(make(matches=3, variation={})) == play(make(matches=3))
 
@@ -157,7 +158,7 @@ def test_observations_do_not_show_the_factors() -> None:
         ({"ball.mas": (0.5, 1.0)}, "did you mean 'ball.mass'"),
         ({"pitch.length": (0.5, 1.0)}, "unknown variation"),
         ({"faults.dropouts": (0.0, 13.0)}, "out of the league's ranges"),
-        ({"ball.mass": 2.0}, "two factors, low and high"),
+        ({"ball.mass": "2"}, "two factors, low and high"),
         ({"ball.mass": (2.0, 1.0)}, "the lower first"),
         ({"ball.mass": (float("nan"), 1.0)}, "the lower first"),
         ({"ball.mass": (0.0, 1.0)}, "out of the league's ranges"),

@@ -74,6 +74,6 @@ def test_an_evaluation_does_not_go_on_with_another_team(tmp_path: Path, first: A
 
 def test_a_team_that_cannot_be_told_from_another_is_evaluated_without_a_folder_alone(tmp_path: Path) -> None:
     assert played(None, Own(gain=object())) == 2
-    with pytest.raises(ValueError, match="give the object an attribute `fingerprint`"):
+    with pytest.raises(ValueError, match="give it a `fingerprint`"):
         played(tmp_path / "new", Own(gain=object()))
     assert not (tmp_path / "new").exists()

@@ -77,13 +77,14 @@ def list_tables(settings: ListSettings) -> Iterator[Table]:
 
 
 def variations(league: str) -> Iterator[Table]:
-    """Yield the table of a league's numbers that `variation=` can multiply."""
+    """Yield the table of a league's numbers that `variation=` can change."""
     from soccer_env.leagues import find_league
-    from soccer_env.match.variation import names_of
+    from soccer_env.match.variation import THEMSELVES, names_of
 
     played = find_league(league)
-    rows = [(name, f"{reduce(getattr, name.split('.'), played):g}") for name in names_of(played)]
-    yield Table(f"Numbers of {played.name} that can vary: --variation NAME=LOW:HIGH", ("name", "usual"), rows)
+    usual = {name: f"{reduce(getattr, name.split('.'), played):g}" for name in names_of(played)}
+    rows = [(name, of, "the number" if name in THEMSELVES else "a factor") for name, of in usual.items()]
+    yield Table(f"Numbers of {played.name}: --variation NAME=LOW:HIGH, LOW:HIGH:log", ("name", "usual", "drawn"), rows)
 
 
 def leagues() -> Iterator[Table]:

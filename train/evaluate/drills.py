@@ -98,7 +98,8 @@ def evaluate_drills(
     """
     for field in fields(settings):
         if field.name not in USED and getattr(settings, field.name) != field.default:
-            raise ValueError(f"{field.name} does not go with a drill, which has its own opponents, time limit and ends")
+            text = "goes with matches alone: a drill has its own opponents, rules and ends, and writes no files"
+            raise ValueError(f"{field.name} {text}")
     league = league or find_league(settings.league)
     scenes = chosen_drills(settings.scene, league)
     names = split_distinct_names("home", settings.home)

@@ -77,7 +77,7 @@ def with_stored_settings(settings: TournamentSettings) -> TournamentSettings:
     added = split_names(settings.add, "add") if settings.add else ()
     code = [*filter(is_module_team, map(str, stored["teams"])), *filter(MODULE_PATH.fullmatch, [str(stored["league"])])]
     if code:
-        advice = "if you trust it, give --teams and all other options again, and a team to add last"
+        advice = "if you trust it, give all options but --add again, and name a team to add last in --teams"
         raise ValueError(f"{short_repr(code[0])} is code, which is not run because {settings.out} names it: {advice}")
     try:
         known = {x.name: stored[x.name] for x in fields(settings) if x.name in stored}

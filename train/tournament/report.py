@@ -20,8 +20,12 @@ ABOUT_RATINGS = (
     "openskill by its own model. The Elo ratings fit all matches at once, with a mean of 1500."
 )
 FEW = "There are fewer than 10 matches in a pairing: the intervals say little."
+SHOWN = 0.975  # probability from which one team counts as above another: a 95 % interval leaves as much beyond
 CROSS = "Goals a match of the team in the row, less those of the team in the column, and its share of the points."
-ABOVE = "The probability that the Elo rating of the team in the row is above that of the team in the column."
+ABOVE = (
+    "The probability that the Elo rating of the team in the row is above that of the team in the column; it follows "
+    "from the matches against all teams, not from those of the two alone."
+)
 Rows = list[tuple[str, ...]]
 
 
@@ -79,6 +83,15 @@ def above_rows(result: TournamentResult) -> Rows:
     ]
 
 
+def verdict(result: TournamentResult) -> str:
+    """Return a sentence on which team is the best, and how surely."""
+    best, *others = result.names
+    rival = min(others, key=result.above[best].__getitem__)
+    sure = result.above[best][rival]
+    above = f"{best} is above {rival} with a probability of {percent(sure)}"
+    return f"{above}, and so the best." if sure >= SHOWN else f"No team is shown to be the best: {above}."
+
+
 def needed_matches_sentence(result: TournamentResult) -> str:
     """Return a sentence with the number of matches that the wanted interval takes."""
     few = f" {FEW}" if result.few else ""
@@ -107,7 +120,7 @@ def page_of(result: TournamentResult, about: dict[str, str]) -> str:
     page = ReportPage(title_of(result), "soccer tournament")
     page.section("Standings")
     page.table(HEAD, standing_rows(result))
-    page.say(f"{ABOUT_RATINGS} {needed_matches_sentence(result)}")
+    page.say(f"{verdict(result)} {ABOUT_RATINGS} {needed_matches_sentence(result)}")
     page.section("Cross table")
     if can_draw():
         page.figure(draw_cross_table(result), "Goal differences a match: blue, the team in the row scores more.")
@@ -158,7 +171,7 @@ def screen_tables(result: TournamentResult) -> Iterator[Table]:
     from rich.table import Table
 
     for title, caption, head, rows in (
-        (title_of(result), needed_matches_sentence(result), HEAD, standing_rows(result)),
+        (title_of(result), f"{verdict(result)} {needed_matches_sentence(result)}", HEAD, standing_rows(result)),
         ("Goals a match of the team in the row, its points", "", ("", *result.names), cross_rows(result)),
         ("Probability that the team in the row is above", "", ("", *result.names), above_rows(result)),
     ):

@@ -95,7 +95,9 @@ class TournamentSettings(CommandSettings):
             raise ValueError("replays are kept in a folder: give out as well")
         if self.teams:
             if self.add:
-                raise ValueError("give teams, or add for a tournament that is there already, not both")
+                raise ValueError(
+                    "give teams, with the added one last; or add alone, which no tournament with code takes"
+                )
             self._check_names()
             return
         if self.out is None:

@@ -10,6 +10,7 @@ neither matches nor players: it gets (D P, n) and (D P, ...), and returns a row 
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from inspect import signature
 from typing import Any
 
 import numpy as np
@@ -121,16 +122,27 @@ def team_of_function(
         raise_not_allowed("function", "a function of observations", function)
     check_observe(observe)
     called = getattr(function, "__name__", type(function).__name__) if name is None else name
-    return FunctionTeam(
-        check_text("name", called, 1),
-        function,
-        observe,
-        check_whole_number("action_repeat", action_repeat, 1, MOST),
-        None if memory is None else checked_memory(memory),
-        check_choice("flat", flat, (True, False)),
-        check_choice("at_once", at_once, (True, False)),
+    repeat = check_whole_number("action_repeat", action_repeat, 1, MOST)
+    team = FunctionTeam(
+        check_text("name", called, 1), function, observe, repeat, None if memory is None else checked_memory(memory),
+        check_choice("flat", flat, (True, False)), check_choice("at_once", at_once, (True, False)),
         check_text("fingerprint", fingerprint, 0),
-    )
+    )  # fmt: skip
+    check_arguments(function, memory is not None)
+    return team
+
+
+def check_arguments(function: Callable[..., Any], remembers: bool) -> None:
+    """Raise ValueError unless a function takes observations, and as a second argument the memory if it remembers."""
+    try:
+        found = signature(function)
+    except (TypeError, ValueError):  # of some compiled functions nothing is known
+        return
+    try:
+        found.bind(*[None] * (1 + remembers))
+    except TypeError as error:
+        takes = "(observations, memory)" if remembers else "(observations); a second argument is for memory="
+        raise ValueError(f"the function must take {takes}, got {found}: {error}") from None
 
 
 def observation_class_name(observe: Observation) -> str:

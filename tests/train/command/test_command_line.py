@@ -117,7 +117,7 @@ def test_the_help_of_a_command_fits_a_screen_and_says_how_many_options_it_leaves
         (["evaluate", "--matches"], "--matches"),
         (
             ["evaluate", "--scene", "empty-goal", "--minutes", "3"],
-            "minutes does not go with a drill, which has its own",
+            "minutes goes with matches alone: a drill has its own",
         ),
         (["export", "nope.replay", "--out", "a.html"], "soccer: nope.replay: no such file or directory\n"),
         (["export", "nope.replay", "--out", "a.svg"], "; .svg needs --maps: heat maps, pass networks, shot maps"),

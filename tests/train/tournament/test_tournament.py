@@ -130,7 +130,7 @@ WRONG = {
     "--teams chaser,still --system ladder": "unknown --system 'ladder'; known: round-robin, swiss, knock-out",
     "--teams chaser,still,random --system swiss --rounds 3": "rounds must be 1 to 2 for 3 teams",
     "--teams chaser,still --rounds 1": "rounds goes with --system swiss",
-    "--teams chaser,still --add random --out {out}": "give teams, or add",
+    "--teams chaser,still --add random --out {out}": "or add alone, which no tournament",
     "--teams chaser,still --matches 3": "matches must be an even whole number",
     "--teams chaser,still --keep best": "replays are kept in a folder: give out as well",
     "--add random": "or give the out of a tournament",
@@ -162,7 +162,8 @@ def test_code_that_a_folder_names_runs_only_if_it_is_named_again(
     monkeypatch.delitem(sys.modules, "named_in_a_folder")
     assert "is code, which is not run because cup names it" in soccer("tournament", "--out", "cup", code=2)
     assert "named_in_a_folder" not in sys.modules
-    assert "random" in soccer("tournament", "--teams", "named_in_a_folder:team,still,random", *words)
+    told = soccer("tournament", "--teams", "named_in_a_folder:team,still,random", *words)
+    assert "random" in told and "No team is shown to be the best:" in " ".join(told.split())
 
 
 def test_other_settings_and_other_runs_lose_nothing(soccer: Callable[..., str], tmp_path: Path) -> None:
