@@ -2,7 +2,7 @@
 
 import re
 import sys
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 from typing import Any
 
@@ -90,6 +90,12 @@ def test_a_row_for_each_drill_and_team_and_saves_are_aways() -> None:
             evaluate_drills(EvaluateSettings(**{"scene": "all", **wrong}))
     with pytest.raises(ValueError, match="'empty-goal' is no start of a match: `soccer evaluate --scene empty-goal`"):
         evaluate(EvaluateSettings(scene="empty-goal"))
+
+
+def test_a_drill_takes_a_variation() -> None:
+    asked = EvaluateSettings(scene="empty-goal", home="chaser", matches=20, seed=2, pose="percept")
+    (usual,), (lame,) = evaluate_drills(asked), evaluate_drills(replace(asked, variation="drive.forward=0.1"))
+    assert lame.successes < usual.successes
 
 
 @pytest.fixture

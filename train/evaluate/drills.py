@@ -22,11 +22,11 @@ from soccer_env.train.evaluate.contest import Contest, check_training_conditions
 from soccer_env.train.evaluate.settings import ALL, EvaluateSettings, conditions_of
 from soccer_env.train.progress import Progress
 from soccer_env.train.statistics import Interval, wilson_interval
-from soccer_env.train.written_settings import split_distinct_names
+from soccer_env.train.written_settings import split_distinct_names, split_variation
 
 SEED = 1
 USED = {  # options of drills
-    "league", "scene", "home", "matches", "seed", "threads", "ray", "senses", "pose", "rules", "json",
+    "league", "scene", "home", "matches", "seed", "threads", "ray", "senses", "pose", "rules", "variation", "json",
 }  # fmt: skip
 
 
@@ -121,7 +121,8 @@ def play_drill(scene: Scene, contest: Contest, settings: EvaluateSettings) -> in
     conditions = contest.conditions
     return run_drill(
         contest.league, scene, contest.first, settings.matches, settings.seed, settings.threads,
-        senses=conditions.senses, pose=conditions.pose, **rules_of(settings),
+        senses=conditions.senses, pose=conditions.pose, variation=split_variation(settings.variation),
+        **rules_of(settings),
     )  # fmt: skip
 
 
