@@ -170,7 +170,9 @@ def claims_table(measured: Measured, claims: Sequence[str]) -> str:
         cells = claim_cells(known[name], measured[name]) if name in measured else ("", NOT_MEASURED, "")
         row = " | ".join((name, known[name].statement, *cells))
         lines.append(f"| {row} |")
-    return "\n".join([verdict_counts(measured, claims), "", *lines, "", measurement_sources(measured)])
+    runs = "; ".join(sorted({measured_where(row) for row in measured.values()}))
+    sources = f"Measured {runs}. The present world is {WORLD}." if runs else ""
+    return "\n".join([verdict_counts(measured, claims), "", *lines, "", sources])
 
 
 def claim_cells(claim: Claim, row: Mapping[str, Any]) -> tuple[str, str, str]:
@@ -196,12 +198,6 @@ def verdict_counts(measured: Measured, claims: Sequence[str]) -> str:
     quick = sum(row["quick"] for row in measured.values())
     few = f" {quick} of them from few samples, marked (quick)." if quick else ""
     return f"{len(claims)} claims: {', '.join([*parts, *([f'{missing} {NOT_MEASURED}'] if missing else [])])}.{few}"
-
-
-def measurement_sources(measured: Measured) -> str:
-    """Return the dates, commits and worlds of the measurements, in words."""
-    runs = {measured_where(row) for row in measured.values()}
-    return f"Measured {'; '.join(sorted(runs))}. The present world is {WORLD}." if runs else ""
 
 
 def replace_between_markers(text: str, name: str, table: str) -> str:
