@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from soccer_env.agents.torch_policy import save_policy
 
 __all__ = ["convert_sb3", "load_sb3", "save_onnx", "save_policy"]
-_ZIP, _TORCH, _ONNX = (f"{__name__}.{module}" for module in ("sb3_zip", "torch_policy", "onnx_export"))
 __getattr__, __dir__ = lazy_names(
-    __name__, {"convert_sb3": _ZIP, "load_sb3": _ZIP, "save_onnx": _ONNX, "save_policy": _TORCH}
+    __name__,
+    {"convert_sb3": "sb3_zip", "load_sb3": "sb3_zip", "save_onnx": "onnx_export", "save_policy": "torch_policy"},
 )

@@ -92,7 +92,16 @@ def parse(data: bytes, where: str) -> Policy:
         header = _header(data)
         table = _read_policy_fields(header)
         _check_tensors(header, _memory_tensor_names(table, header))
-        return _policy_from_tensors(table, tensors_of(data))
+        tensors = tensors_of(data)
+        more = _memory_tensor_names(table, tensors)
+        layers = range((len(tensors) - len(more)) // 2)
+        return Policy(
+            **{key: table[key] for key in SCHEMA if key not in ("version", "kind", "inputs")},
+            inputs=tuple(table["inputs"]),
+            weights=tuple(tensors[f"layer{number}.weight"] for number in layers),
+            biases=tuple(tensors[f"layer{number}.bias"] for number in layers),
+            memory=tuple(tensors[name] for name in more),
+        )
     except (ValueError, SafetensorError) as error:
         raise ValueError(f"policy file {where!r}: {one_line(error)}") from None
 
@@ -231,16 +240,3 @@ def _check_tensors(header: Mapping[str, Any], more: tuple[str, ...]) -> None:
         sizes = isinstance(shape, list) and all(type(size) is int and 1 <= size <= MAX_INPUTS for size in shape)
         if not sizes or len(shape) != axes:
             raise ValueError(f"{name} must have {axes} axes of 1 to {MAX_INPUTS}, got the shape {short_repr(shape)}")
-
-
-def _policy_from_tensors(table: Mapping[str, Any], tensors: Mapping[str, Any]) -> Policy:
-    """Return the policy made from a checked table and its tensors."""
-    more = _memory_tensor_names(table, tensors)
-    layers = range((len(tensors) - len(more)) // 2)
-    return Policy(
-        **{key: table[key] for key in SCHEMA if key not in ("version", "kind", "inputs")},
-        inputs=tuple(table["inputs"]),
-        weights=tuple(tensors[f"layer{number}.weight"] for number in layers),
-        biases=tuple(tensors[f"layer{number}.bias"] for number in layers),
-        memory=tuple(tensors[name] for name in more),
-    )

@@ -89,7 +89,8 @@ def load_sb3(
             raise ValueError(f"takes {taken} inputs, {observe!r} of {preset.name!r} has {len(inputs)}: {hint}")
         return Policy(
             **read, **(league_fields if rules is None else training_fields)(preset),
-            name=_policy_name(path) if name is None else name,
+            name=(re.sub(r"[^A-Za-z0-9 ._+-]", "-", Path(path).stem).lstrip(" ._+-")[:64] or "sb3")
+            if name is None else name,
             observe=observe, inputs=tuple(inputs), action_repeat=action_repeat, mirror=False,
             at_once=at_once, normalise=normaliser_table(normalise), **known_senses(senses, pose),
         )  # fmt: skip
@@ -120,13 +121,14 @@ def _network_fields(content: bytes, activation: str | None) -> dict[str, Any]:
     if discrete != (settings["action_space"][":type:"].endswith(DISCRETE_TYPE)):
         raise ValueError("its action_space is not of the kind that its network gives")
     kwargs = settings["policy_kwargs"]
+    known = {key: str(settings[key]) for key in ("num_timesteps", "seed") if type(settings.get(key)) is int}
     return {
         "actions": "discrete" if discrete else _action_kind(len(biases[-1])),
         "activation": _activation_name(kwargs, activation, algorithm.activation),
         "squash": algorithm.squash or (str(kwargs.get("squash_output", False)) == "True" and not discrete),
         "weights": weights,
         "biases": biases,
-        "made": _origin_from_zip(settings, content),
+        "made": {"from": "stable-baselines3", "sha256": sha256(content).hexdigest(), **known},
     }
 
 
@@ -263,20 +265,9 @@ def _check_pickle(content: bytes) -> None:
             raise ValueError(f"policy.pth is no table of tensors: its pickle has {opcode}")
 
 
-def _policy_name(path: str | os.PathLike[str]) -> str:
-    """Return a name for the policy, derived from the name of its file."""
-    return re.sub(r"[^A-Za-z0-9 ._+-]", "-", Path(path).stem).lstrip(" ._+-")[:64] or "sb3"
-
-
 def _action_kind(size: int) -> str:
     """Return the kind of actions that consist of `size` numbers."""
     kinds = {ACTIONS[kind]: kind for kind in ("box", "full")}
     if size not in kinds:
         raise ValueError(f"gives {size} numbers as actions, must be one of {', '.join(map(str, kinds))}")
     return kinds[size]
-
-
-def _origin_from_zip(settings: Mapping[str, Any], content: bytes) -> dict[str, str]:
-    """Return the origin of the policy, from plain values in the zip."""
-    made = {"from": "stable-baselines3", "sha256": sha256(content).hexdigest()}
-    return made | {key: str(settings[key]) for key in ("num_timesteps", "seed") if type(settings.get(key)) is int}

@@ -70,7 +70,7 @@ _MODULES = {
     "errors_of": "data_out.belief_errors", "make_team": "teams",
     "soccer_v0": "soccer_v0", "team_of_function": "teams.function_teams",
 }  # fmt: skip
-__getattr__, __dir__ = lazy_names(__name__, {name: f"{__name__}.{module}" for name, module in _MODULES.items()})
+__getattr__, __dir__ = lazy_names(__name__, _MODULES)
 
 sys.meta_path.append(FoldersBeside(__name__, __file__, ("baselines", "agents", "train")))  # in a checkout
 _register()

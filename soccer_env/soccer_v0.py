@@ -108,18 +108,14 @@ class ParallelSoccer(ShowsMatch, ParallelEnv[str, np.ndarray, Any]):
             raise ValueError("reset takes a seed or the option match_seed, got both")
         match = changed_by(self.match, wanted)
         match.reset(seed=seed, seeds=[wanted["match_seed"]] if "match_seed" in wanted else None)
-        self._switch_match(match)
-        self.agents, self._begun = list(self.possible_agents), True
-        self._show()
-        return self._observations(), self._infos()
-
-    def _switch_match(self, match: Match) -> None:
-        """Switch the env to a match whose episode has just begun."""
         if match is not self.match:
             self.match.close()
             self.match = match
             self.screen.turn_to(match)
         self._store_opponents()
+        self.agents, self._begun = list(self.possible_agents), True
+        self._show()
+        return self._observations(), self._infos()
 
     def _store_opponents(self) -> None:
         """Store the opponents of an episode that has begun or was loaded."""

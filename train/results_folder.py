@@ -62,7 +62,11 @@ class ResultsFolder:
         self._lock: Any = None
         if path is None:
             return
-        make_folder(path)
+        if path == Path():
+            raise ValueError("out must be a folder of the run's own, not the current one")
+        if path.exists() and not path.is_dir():
+            raise ValueError(f"out: {path} is a file; give a folder")
+        path.mkdir(parents=True, exist_ok=True)
         try:
             if kind.alone:
                 self._lock = lock(path / LOCK)
@@ -162,15 +166,6 @@ def check_kinds(path: Path, record: dict[str, Any], kind: type) -> None:
         wanted = get_origin(hints[name]) or hints[name]
         if wanted in (int, str, dict) and (not isinstance(value, wanted) or isinstance(value, bool)):
             raise ValueError(f"{path}: {name} of a line must be {NAMED[wanted]}, got {short_repr(value)}")
-
-
-def make_folder(path: Path) -> None:
-    """Make a folder; ValueError for a file, and for the current folder, for which an empty path stands as well."""
-    if path == Path():
-        raise ValueError("out must be a folder of the run's own, not the current one")
-    if path.exists() and not path.is_dir():
-        raise ValueError(f"out: {path} is a file; give a folder")
-    path.mkdir(parents=True, exist_ok=True)
 
 
 def settings_before(path: Path, kind: RunKind, anew: bool = False) -> dict[str, Any] | None:

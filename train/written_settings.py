@@ -95,14 +95,9 @@ def command_line(command: str, settings: Any, always: Collection[str] = ()) -> s
         if isinstance(value, bool):
             words += [flag if value else f"--no-{flag[2:]}"]
         else:
-            words += [flag, as_argument(value)]
+            short = f"{value:g}" if isinstance(value, float) else str(value)
+            words += [flag, repr(value) if isinstance(value, float) and float(short) != value else short]
     return shlex.join(words)
-
-
-def as_argument(value: object) -> str:
-    """Return a value as an argument of a command line: a float in its shortest exact form."""
-    short = f"{value:g}" if isinstance(value, float) else str(value)
-    return short if not isinstance(value, float) or float(short) == value else repr(value)
 
 
 def split_distinct_names(name: str, text: str) -> tuple[str, ...]:

@@ -125,12 +125,12 @@ class FlatInfoArrays:
         if self._full:
             numbers = statistics_by_name(match.statistics, self._team)
             arrays |= {f"statistics_{name}": values for name, values in numbers.items()}
-        everywhere = np.ones(match.count, bool)
-        return {
-            name: item
-            for key, numbers in arrays.items()
-            for name, item in ((key, to_python_types(numbers)), (f"_{key}", everywhere.copy()))
-        }
+        found = {}
+        for key, numbers in arrays.items():
+            # the types of Python's numbers
+            found[key] = numbers.astype({"i": np.int64, "f": np.float64}.get(numbers.dtype.kind, numbers.dtype))
+            found[f"_{key}"] = np.ones(match.count, bool)
+        return found
 
     def ended(self, ended: np.ndarray) -> dict[str, Any]:
         """Return {}: flat infos have no further entries where episodes ended (M,)."""
@@ -156,11 +156,6 @@ def add_action_masks(infos: Infos, match: Match) -> Infos:
         for agent, info in infos.items():
             info["action_mask"] = mask_for_space(kind, masks[match.agents.index(agent)])
     return infos
-
-
-def to_python_types(numbers: np.ndarray) -> np.ndarray:
-    """Return a copy of an array as int64 or float64, the types of Python's numbers."""
-    return numbers.astype({"i": np.int64, "f": np.float64}.get(numbers.dtype.kind, numbers.dtype))
 
 
 def make_report(

@@ -50,13 +50,14 @@ class Listener:
 
     def sorted_events(self) -> list[Event]:
         """Return all events in the order of frames, with a save at the end of each saved shot."""
-        saves = [self._save_event(shot) for shot in self._events if shot.outcome == OUTCOMES[Outcome.SAVED]]
+        saves = [
+            Event(
+                shot.end_frame, "save", 1 - shot.team, self._keepers.get(1 - shot.team, NOBODY), shot.end_x, shot.end_y
+            )
+            for shot in self._events
+            if shot.outcome == OUTCOMES[Outcome.SAVED]
+        ]
         return sorted([*self._events, *saves], key=lambda event: event.frame)
-
-    def _save_event(self, shot: Event) -> Event:
-        """Return the event of the save that ended a shot."""
-        team = 1 - shot.team
-        return Event(shot.end_frame, "save", team, self._keepers.get(team, NOBODY), shot.end_x, shot.end_y)
 
     def listen(self, match: Match, step: int) -> None:
         """Note the events of a control step in the first match."""
@@ -72,7 +73,10 @@ class Listener:
         self._listen_to_passes(now)
         self._listen_to_shots(now)
         if events["goal"] != NO_TEAM:
-            self._listen_to_goal(events, now)
+            team = int(events["goal"])
+            kinds = np.flatnonzero(now["goals"][team] > self._counts["goals"][team])
+            kind = GoalKind(int(kinds[0])).name.lower() if len(kinds) else ""
+            self._add("goal", team, int(events["scorer"]), outcome=kind)
         self._listen_to_calls(match, events)
         self._store_statistics(now)
 
@@ -127,13 +131,6 @@ class Listener:
                 )
             if now["trail"]["flight"] < 0:
                 self._shot = NOBODY
-
-    def _listen_to_goal(self, events: Any, now: Any) -> None:
-        """Note a goal, with the kind under which the statistics count it."""
-        team = int(events["goal"])
-        kinds = np.flatnonzero(now["goals"][team] > self._counts["goals"][team])
-        kind = GoalKind(int(kinds[0])).name.lower() if len(kinds) else ""
-        self._add("goal", team, int(events["scorer"]), outcome=kind)
 
     def _listen_to_calls(self, match: Match, events: Any) -> None:
         """Note the calls of the referee."""

@@ -12,7 +12,6 @@ import numpy as np
 
 from soccer_env.data_out.collect import SHOOT_OUT, MatchRecording, collect_match
 from soccer_env.data_out.events import NOBODY, Event
-from soccer_env.leagues.league import Pitch
 from soccer_env.replay import Replay
 from soccer_env.types import AWAY, HOME
 
@@ -30,20 +29,11 @@ def require_kloppy() -> Any:
 
 
 def kloppy_tracking(replay: Replay) -> Any:
-    """Return the first match as a kloppy TrackingDataset in metres; ImportError if the extra `data` is missing."""
-    require_kloppy()
-    return tracking_dataset(collect_match(replay))
+    """Return the first match as a kloppy TrackingDataset in metres, a frame for each control step.
 
-
-def kloppy_events(replay: Replay) -> Any:
-    """Return the first match as a kloppy EventDataset: passes, shots, interceptions, saves, fouls, calls."""
-    require_kloppy()
-    return event_dataset(collect_match(replay))
-
-
-def tracking_dataset(recording: MatchRecording) -> Any:
-    """Return a match as a kloppy TrackingDataset: a frame for each control step, with the robots on the pitch."""
-    domain = require_kloppy()
+    ImportError if the extra `data` is missing.
+    """
+    domain, recording = require_kloppy(), collect_match(replay)
     about = KloppyMatch(recording, domain)
     robots, ball, owners, in_play = recording.robots, recording.ball, recording.owners(), recording.in_play
     speeds, ball_speeds = np.hypot(robots["vx"], robots["vy"]), np.hypot(ball[:, 2], ball[:, 3])
@@ -73,12 +63,12 @@ def tracking_dataset(recording: MatchRecording) -> Any:
     return domain.TrackingDataset(records=frames, metadata=about.metadata(float(recording.league.control_rate)))
 
 
-def event_dataset(recording: MatchRecording) -> Any:
-    """Return a match as a kloppy EventDataset: passes, shots, interceptions, saves, fouls; all else is generic.
+def kloppy_events(replay: Replay) -> Any:
+    """Return the first match as a kloppy EventDataset: passes, shots, interceptions, saves, fouls, calls.
 
     A goal without a shot (carried or bumped in) is a shot with the result GOAL or OWN_GOAL, kloppy's form of a goal.
     """
-    domain = require_kloppy()
+    domain, recording = require_kloppy(), collect_match(replay)
     about = KloppyMatch(recording, domain)
     shot_in = {(event.end_frame, event.team) for event in recording.events if event.outcome == "goal"}
     events = [event for event in recording.events if event.kind != "goal" or (event.frame, event.team) not in shot_in]
@@ -144,7 +134,12 @@ class KloppyMatch:
         first = recording.match["home_direction"][0] > 0.0
         if recording.periods[0] not in (1, SHOOT_OUT):
             first = not first  # home attacked the other way in the first half
-        dimensions = kloppy_pitch_dimensions(recording.league.pitch, domain)
+        pitch = recording.league.pitch
+        dimensions = domain.MetricPitchDimensions(
+            x_dim=domain.Dimension(-0.5 * pitch.length, 0.5 * pitch.length),
+            y_dim=domain.Dimension(-0.5 * pitch.width, 0.5 * pitch.width),
+            standardized=False, pitch_length=pitch.length, pitch_width=pitch.width,
+        )  # fmt: skip
         system = domain.CustomCoordinateSystem(
             domain.Origin.CENTER, domain.VerticalOrientation.BOTTOM_TO_TOP, dimensions
         )
@@ -190,12 +185,3 @@ class KloppyMatch:
     def player(self, row: int) -> Any:
         """Return the kloppy player of a robot (row), None for nobody."""
         return self.players[row] if row != NOBODY else None
-
-
-def kloppy_pitch_dimensions(pitch: Pitch, domain: Any) -> Any:
-    """Return the dimensions of a pitch in metres."""
-    return domain.MetricPitchDimensions(
-        x_dim=domain.Dimension(-0.5 * pitch.length, 0.5 * pitch.length),
-        y_dim=domain.Dimension(-0.5 * pitch.width, 0.5 * pitch.width),
-        standardized=False, pitch_length=pitch.length, pitch_width=pitch.width,
-    )  # fmt: skip

@@ -84,14 +84,19 @@ class CommonDataMatch:
         """Return the content of meta.json."""
         recording, pitch = self.recording, self.recording.league.pitch
         vendor = {"version": version(), "name": "soccer_env"}
+        periods = [self.about_period(period) for period in self.numbers()]
         return {
             "competition": {"id": "soccer_env", "name": "soccer_env"},
             "season": {"id": "none"},
             "match": {
                 "id": recording.name,
                 "kickoff_time": self.time(0),
-                "periods": [self.about_period(period) for period in self.numbers()],
-                "whistles": list(self.period_whistles()),
+                "periods": periods,
+                "whistles": [
+                    {"type": period["period"], "sub_type": sub_type, "time": period[f"{sub_type}_time"]}
+                    for period in periods
+                    for sub_type in ("start", "end")
+                ],
             },
             "teams": {
                 side: {"id": side, "name": team, "players": [self.about(player) for player in self.of(side)]}
@@ -122,12 +127,6 @@ class CommonDataMatch:
             "start_time": self.time(first), "end_time": self.time(last),
             "frame_id_start": first, "frame_id_end": last,
         }  # fmt: skip
-
-    def period_whistles(self) -> Iterator[dict[str, str]]:
-        """Yield the start and the end of each period."""
-        for period in map(self.about_period, self.numbers()):
-            for sub_type in ("start", "end"):
-                yield {"type": period["period"], "sub_type": sub_type, "time": period[f"{sub_type}_time"]}
 
     def of(self, side: str) -> list[Player]:
         """Return the robots of a side."""

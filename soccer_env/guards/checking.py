@@ -45,7 +45,8 @@ class Range(NamedTuple):
     def text(self, whole: bool = False) -> str:
         """Return the range in words."""
         if abs(self.low) < inf and self.high < inf and not (self.above or self.below):
-            return bounds_in_words(self.low, self.high)
+            ends = (f"{bound:.0f}" if bound == round(bound) else f"{bound:g}" for bound in (self.low, self.high))
+            return " to ".join(ends)
         low = f"{'above' if self.above else 'of at least'} {self.low:g}" if self.low > -inf else ""
         high = f"{'below' if self.below else 'at most'} {self.high:g}" if self.high < inf else ""
         bounds = " and ".join(filter(None, (low, high)))
@@ -56,11 +57,6 @@ ANY = Range()
 ABOVE_ZERO = Range(0.0, above=True)
 FROM_ZERO = Range(0.0)
 SHARE = Range(0.0, 1.0)
-
-
-def bounds_in_words(low: float, high: float) -> str:
-    """Return the bounds of a range in words, such as "0 to 1"."""
-    return " to ".join(f"{bound:.0f}" if bound == round(bound) else f"{bound:g}" for bound in (low, high))
 
 
 def allowed_in_words(allowed: Range, whole: bool, value: Any) -> str:
@@ -138,7 +134,10 @@ class CheckedFields:
         # mypy takes the hash of the class for that of its instances.
         for name, kinds in kinds_of_fields(type(self)).items():  # type: ignore[arg-type]
             object.__setattr__(self, name, self._checked(name, kinds, getattr(self, name)))
-        self._check_order()
+        for one, relation, other in self.ORDER:
+            value, bound = getattr(self, one), getattr(self, other)
+            if not BELOW[relation][0](value, bound):
+                raise_not_allowed(self.where(one), f"{relation} {other} {bound}", value)
 
     @classmethod
     def where(cls, name: str) -> str:
@@ -156,13 +155,6 @@ class CheckedFields:
                     raise_not_allowed(self.where(name), f"an even whole number, {self.EVEN[name]}", value)
                 return checked
         raise_not_allowed(self.where(name), self._words(name, kinds, value), value)
-
-    def _check_order(self) -> None:
-        """Raise ValueError for the first pair of fields whose values are not in the order that ORDER demands."""
-        for one, relation, other in self.ORDER:
-            value, bound = getattr(self, one), getattr(self, other)
-            if not BELOW[relation][0](value, bound):
-                raise_not_allowed(self.where(one), f"{relation} {other} {bound}", value)
 
     @classmethod
     def bounds(cls, name: str) -> Range:

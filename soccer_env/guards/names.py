@@ -22,16 +22,17 @@ Made = tuple[Callable[..., Any], tuple[Any, ...]]  # result of __reduce__
 
 
 def lazy_names(package: str, modules: Mapping[str, str]) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
-    """Return `__getattr__` and `__dir__` for a package that imports its public names on first use from `modules`.
+    """Return `__getattr__` and `__dir__` for a package that imports its public names on first use.
 
-    Repeat the imports for type checkers under `if TYPE_CHECKING:`.
+    `modules`: the module of each name, within the package. Repeat the imports for type checkers under
+    `if TYPE_CHECKING:`.
     """
 
     def find(name: str) -> Any:
         if name not in modules:
             raise AttributeError(f"module {package!r} has no attribute {name!r}")
-        module = import_module(modules[name])
-        return module if modules[name].endswith(f".{name}") else getattr(module, name)
+        module = import_module(f"{package}.{modules[name]}")
+        return module if modules[name] == name else getattr(module, name)
 
     def names() -> list[str]:
         return sorted({*vars(import_module(package)), *modules})

@@ -28,9 +28,11 @@ class Workers:
         """Return function(*part) for all parts, in order; errors are raised after all parts have ended."""
         if self.threads == 1:
             return [function(*part) for part in zip(*parts, strict=True)]
-        executor = self._started()
+        if self._executor is None or self._process != os.getpid():
+            self._executor, self._process = ThreadPoolExecutor(self.threads), os.getpid()
+        submit = self._executor.submit
         try:
-            jobs = [executor.submit(function, *part) for part in zip(*parts, strict=True)]
+            jobs = [submit(function, *part) for part in zip(*parts, strict=True)]
             return [job.result() for job in jobs]
         except BaseException:  # Ctrl-C too: parts may run whose job was not stored
             self.shutdown()
@@ -42,9 +44,3 @@ class Workers:
             executor, self._executor = self._executor, None
             if executor is not None and self._process == os.getpid():
                 executor.shutdown(wait=True)
-
-    def _started(self) -> ThreadPoolExecutor:
-        """Return the thread pool of this process, started on first use."""
-        if self._executor is None or self._process != os.getpid():
-            self._executor, self._process = ThreadPoolExecutor(self.threads), os.getpid()
-        return self._executor

@@ -51,8 +51,9 @@ class Options(CheckedFields):
 
     def rows(self) -> Iterator[tuple[str, Any, str, str]]:
         """Yield name, value, allowed values and source comment of each field; inherited fields last."""
-        notes = field_comments(type(self))
-        inherited = {field.name for kind in settings_classes(type(self))[1:] for field in fields(kind)}  # type: ignore[arg-type]
+        notes, parents = field_comments(type(self)), type(self).__mro__
+        parents = parents[1 : parents.index(Options)]
+        inherited = {field.name for kind in parents for field in fields(kind)}
         for field in sorted(fields(self), key=lambda field: field.name in inherited):  # type: ignore[arg-type]
             allowed = self.allowed(field.name, field_type_name(field))
             yield field.name, getattr(self, field.name), allowed, notes.get(field.name, "")
@@ -69,11 +70,6 @@ class Options(CheckedFields):
         for name, follows in self.DERIVED.items():
             record[name] = follows(self)
         return record
-
-
-def settings_classes(kind: type[Options]) -> tuple[type[Options], ...]:
-    """Return a settings class and its parent settings classes, nearest first."""
-    return kind.__mro__[: kind.__mro__.index(Options)]
 
 
 def field_comments(kind: type) -> dict[str, str]:

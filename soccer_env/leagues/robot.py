@@ -53,11 +53,7 @@ class Body(LeaguePart):
         in_quarters = self.hind_x < 0.0 < self.tip_x and min(self.tip_y, self.hind_y, self.tip_radius) > 0.0
         if self.legs and (self.corners or not in_quarters):
             raise ValueError("Body.legs needs a disc_radius above zero and four posts, one in each quarter round it")
-        self._check_reach()
-
-    def _check_reach(self) -> None:
-        """Raise ValueError unless a disc of radius `reach` round the origin contains the whole outline."""
-        outermost = max(
+        outermost = max(  # of the outline, which a disc of radius `reach` round the origin has to contain
             *(hypot(x, y) + self.tip_radius for x, y in self.posts or ((0.0, 0.0),)),
             abs(self.disc_x) + self.disc_radius,
             abs(self.disc_x - self.disc_back) + self.disc_radius,

@@ -73,16 +73,13 @@ def simple_rules(rules: Rules) -> Rules:
     return replace(rules, **switches, contact_time=NEVER, name="simple")
 
 
-def goals_only_rules(rules: Rules) -> Rules:
-    """Return a league's rules with goals alone, each followed by a kick-off."""
-    return replace(simple_rules(rules), out_of_play=False, dropped_ball=False, name="none")
-
-
 def rule_set(rules: Rules, text: str) -> Rules:
     """Return a league's rule set from a text, SET or SET:rule=value,...; ValueError lists the known names."""
     name, colon, changes = text.partition(":")
     check_names("rules", [name], SETS, more="SET:rule=value,... or a Rules object")
-    chosen = {"league": rules, "simple": simple_rules(rules), "none": goals_only_rules(rules)}[name]
+    simple = simple_rules(rules)
+    goals_only = replace(simple, out_of_play=False, dropped_ball=False, name="none")  # each followed by a kick-off
+    chosen = {"league": rules, "simple": simple, "none": goals_only}[name]
     if not colon:
         return chosen
     changed = dict(parse_rule(text, part) for part in changes.split(","))

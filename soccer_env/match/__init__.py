@@ -21,4 +21,4 @@ if TYPE_CHECKING:
     from soccer_env.match.match import Match
 
 __all__ = ["Match"]
-__getattr__, __dir__ = lazy_names(__name__, {"Match": "soccer_env.match.match"})  # lazy: match.py imports this package
+__getattr__, __dir__ = lazy_names(__name__, {"Match": "match"})  # lazy: match.py imports this package

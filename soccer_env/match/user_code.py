@@ -8,25 +8,14 @@ from typing import Any, NamedTuple, cast
 import numpy as np
 
 from soccer_env.match.settings import Settings
-from soccer_env.observations import layout
-from soccer_env.observations.own import (
-    ArrayForm,
-    Form,
-    SideObservations,
-    check_bounds,
-    convert_to_numbers,
-    fill,
-    index_arrays,
-    observation_form,
-    zero_observations,
-)
+from soccer_env.observations import layout, own
 from soccer_env.rewards import COUNT, POTENTIALS, TERMS, OwnTerm, Rewards, measure_potentials
 from soccer_env.scenes import Scene
 from soccer_env.teams.function_teams import FunctionTeam, ask_functions
 from soccer_env.types import HOME, Phase
 
 Match = Any  # soccer_env.match.match.Match, which stands above this file
-ANY = ArrayForm((), np.asarray(-np.inf), np.asarray(np.inf), np.dtype(float))  # a finite number
+ANY = own.ArrayForm((), np.asarray(-np.inf), np.asarray(np.inf), np.dtype(float))  # a finite number
 
 
 class ObservationGroup(NamedTuple):
@@ -35,7 +24,7 @@ class ObservationGroup(NamedTuple):
     side: str  # "" for both teams
     observe: Any
     rows: slice
-    form: Form
+    form: own.Form
 
 
 class UserObservations:
@@ -46,19 +35,20 @@ class UserObservations:
 
     def __init__(self, settings: Settings, matches: int) -> None:
         home, self._agents = settings.rows[HOME], settings.agents
-        self.by_side = isinstance(settings.observe, SideObservations)
+        self.by_side = isinstance(settings.observe, own.SideObservations)
         self.own = not isinstance(settings.observe, str)
         who = {"home": slice(0, home), "away": slice(home, None)} if self.by_side else {"": slice(0, None)}
         observes = settings.observes if self.by_side else (settings.observe,)
         self.groups = [
-            ObservationGroup(side, observe, rows, observation_form(observe, len(layout(settings.league, observe))))
+            ObservationGroup(side, observe, rows, own.observation_form(observe, len(layout(settings.league, observe))))
             for (side, rows), observe in zip(who.items(), observes, strict=True)
         ]
         self._all = [
-            zero_observations(group.form, matches if self.own else 0, len(self._agents)) for group in self.groups
+            own.zero_observations(group.form, matches if self.own else 0, len(self._agents)) for group in self.groups
         ]
         views = [
-            index_arrays(seen, (slice(None), group.rows)) for group, seen in zip(self.groups, self._all, strict=True)
+            own.index_arrays(seen, (slice(None), group.rows))
+            for group, seen in zip(self.groups, self._all, strict=True)
         ]
         self.arrays = dict(zip(who, views, strict=True)) if self.by_side else views[0]
 
@@ -70,7 +60,7 @@ class UserObservations:
                 match.batch.write_observations(seen, group.observe, rows, 0, match.count)
             else:
                 what = f"observe of {group.side}" if group.side else "observe"
-                fill(group.form, seen, group.observe(match), what, self._agents, group.rows)
+                own.fill(group.form, seen, group.observe(match), what, self._agents, group.rows)
 
     def group_of(self, row: int) -> ObservationGroup:
         """Return the group that a robot (row) belongs to."""
@@ -80,7 +70,7 @@ class UserObservations:
         """Return the observation (M, ...) of one robot (row), taken from the observations of all robots."""
         group = self.group_of(row)
         seen = observations[group.side] if self.by_side else observations
-        return index_arrays(seen, (slice(None), row - (group.rows.start or 0)))
+        return own.index_arrays(seen, (slice(None), row - (group.rows.start or 0)))
 
 
 class UserRewardTerms:
@@ -178,6 +168,6 @@ def subtract_final_shaping(match: Match, m: int) -> None:
 def compute_reward_term(match: Match, name: str, term: OwnTerm) -> np.ndarray:
     """Compute a user's reward term (M, R); ValueError names the term, the robot and the wrong value."""
     what = f"reward term {name!r}"
-    numbers = convert_to_numbers(term.function(match), match.rewards.shape, what, match.agents)
-    check_bounds(ANY, numbers, what, match.agents)
+    numbers = own.convert_to_numbers(term.function(match), match.rewards.shape, what, match.agents)
+    own.check_bounds(ANY, numbers, what, match.agents)
     return numbers.astype(float)

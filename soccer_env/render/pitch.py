@@ -71,16 +71,12 @@ class Ground:
         self._box(-out_x, -out_y, -x, out_y, colour)
         self._box(x, -out_y, out_x, out_y, colour)
         if self.pitch.ramp > 0.0:
-            self._draw_ramps(x, y)
-
-    def _draw_ramps(self, x: float, y: float) -> None:
-        """Draw the sloped feet of boards that stand at +-x and +-y [m], beside the goals."""
-        foot, mouth = self.pitch.ramp, self.pitch.goal_width / 2
-        for bottom, top in ((y - foot, y), (-y, foot - y)):
-            self._box(-x, bottom, x, top, colours.BOARD_FOOT)
-        for left, right in ((x - foot, x), (-x, foot - x)):
-            self._box(left, mouth, right, y, colours.BOARD_FOOT)
-            self._box(left, -y, right, -mouth, colours.BOARD_FOOT)
+            foot, mouth = self.pitch.ramp, self.pitch.goal_width / 2
+            for bottom, top in ((y - foot, y), (-y, foot - y)):
+                self._box(-x, bottom, x, top, colours.BOARD_FOOT)
+            for left, right in ((x - foot, x), (-x, foot - x)):
+                self._box(left, mouth, right, y, colours.BOARD_FOOT)
+                self._box(left, -y, right, -mouth, colours.BOARD_FOOT)
 
     def _draw_lines(self) -> None:
         pitch = self.pitch

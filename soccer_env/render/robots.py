@@ -203,7 +203,8 @@ class PlayerDrawer:
     def _draw_parts(self, figure: Figure, tip: Colour) -> None:
         """Draw legs or guides and the trunk, a goalkeeper's trunk with a wide yellow rim."""
         team = colours.TEAMS[figure.team]
-        fills = {"tip": tip, "body": fade_colour(team) if figure.fallen > 0.0 else team, "leg": darker(team)}
+        darker: Colour = tuple(part * 7 // 10 for part in team)  # type: ignore[assignment]
+        fills = {"tip": tip, "body": fade_colour(team) if figure.fallen > 0.0 else team, "leg": darker}
         for part, wide, edge in zip(self.parts, self.keeper_parts, self.keeper_edges):
             if part.leg >= 0 and figure.paws:
                 offset = figure.paws[part.leg]
@@ -285,8 +286,3 @@ def soft_shadow(radius: float) -> pygame.Surface:
 def fade_colour(colour: Colour) -> Colour:
     """Return the colour mixed half and half with grey."""
     return tuple((part + grey) // 2 for part, grey in zip(colour, colours.GREY))  # type: ignore[return-value]
-
-
-def darker(colour: Colour) -> Colour:
-    """Return a darker shade of the colour."""
-    return tuple(part * 7 // 10 for part in colour)  # type: ignore[return-value]

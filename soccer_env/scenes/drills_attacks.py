@@ -13,18 +13,8 @@ from math import pi
 from typing import Any
 
 from soccer_env.leagues.league import League
+from soccer_env.scenes import scene
 from soccer_env.scenes.drills import ATTACK, goalkeeper_of_away
-from soccer_env.scenes.scene import (
-    PATIENT,
-    Place,
-    Scene,
-    SceneRandom,
-    last_rows,
-    put_inside,
-    put_robot,
-    put_with_ball,
-    send_away,
-)
 from soccer_env.types import AWAY, HOME
 
 LENGTH = 12.0  # [m] of the pitch for which places are given
@@ -33,20 +23,20 @@ KEPT = 10.0  # [s] for which the ball has to be kept, assumed
 
 def field_player_rows(robots: Any, team: int, most: int) -> list[int]:
     """Return the rows of up to `most` field players of a team, or the goalkeeper's row if it has no field player."""
-    rows = last_rows(robots, team, len(robots))
+    rows = scene.last_rows(robots, team, len(robots))
     field = [r for r in rows if not robots[r]["keeper"]]
     chosen = field or rows
     return chosen[max(len(chosen) - most, 0) :]
 
 
-def place_three_v_one(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
+def place_three_v_one(league: League, ball: Any, robots: Any, draw: scene.SceneRandom) -> None:
     """Place up to three home players, the last with the ball, against away's goalkeeper and one field player."""
     side = draw.side()
     places = [(draw.between(2.0, 3.0), side * 2.0), (draw.between(2.0, 3.0), -side * 2.0)]
     place_attack(league, ball, robots, draw, places, [(draw.between(3.4, 4.0), draw.between(-0.5, 0.5))])
 
 
-def place_counter_attack(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
+def place_counter_attack(league: League, ball: Any, robots: Any, draw: scene.SceneRandom) -> None:
     """Place two home players, the last with the ball, against a player and the goalkeeper; two opponents behind."""
     side = draw.side()
     behind = [(draw.between(-1.6, -1.2), 1.5), (draw.between(-1.6, -1.2), -1.5)]
@@ -56,7 +46,7 @@ def place_counter_attack(league: League, ball: Any, robots: Any, draw: SceneRand
 
 
 def place_attack(
-    league: League, ball: Any, robots: Any, draw: SceneRandom,
+    league: League, ball: Any, robots: Any, draw: scene.SceneRandom,
     mates: list[tuple[float, float]], defenders: list[tuple[float, float]], start: tuple[float, float] = (0.0, 0.0),
 ) -> None:  # fmt: skip
     """Place home's last field player with the ball near `start`, then its mates and away's players."""
@@ -64,24 +54,24 @@ def place_attack(
     own = field_player_rows(robots, HOME, 1 + len(mates))
     keeper, others = goalkeeper_of_away(robots), field_player_rows(robots, AWAY, len(defenders))
     others = [row for row in others if row != keeper]
-    send_away(league, robots, keeper, *own, *others)
+    scene.send_away(league, robots, keeper, *own, *others)
     x, y = start[0] + draw.between(-0.3, 0.3), start[1] + draw.between(-0.4, 0.4)
-    put_with_ball(league, ball, robots[own[-1]], scale * x, scale * y, 0.0)
+    scene.put_with_ball(league, ball, robots[own[-1]], scale * x, scale * y, 0.0)
     for row, (x, y) in zip(own[:-1], mates, strict=False):
-        put_inside(league, robots[row], scale * x, scale * y, 0.0)
+        scene.put_inside(league, robots[row], scale * x, scale * y, 0.0)
     for row, (x, y) in zip(reversed(others), reversed(defenders), strict=False):
-        put_inside(league, robots[row], scale * x, scale * y, pi)
-    put_robot(robots[keeper], league.pitch.length / 2 - 0.8 * scale, 0.0, pi)
+        scene.put_inside(league, robots[row], scale * x, scale * y, pi)
+    scene.put_robot(robots[keeper], league.pitch.length / 2 - 0.8 * scale, 0.0, pi)
 
 
-def place_pass_and_shoot(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
+def place_pass_and_shoot(league: League, ball: Any, robots: Any, draw: scene.SceneRandom) -> None:
     """Place a defender in the way of the player with the ball; its mate stands free on the other side."""
     side = draw.side()
     mates = [(draw.between(2.4, 3.4), -side * draw.between(1.6, 2.4))]
     place_attack(league, ball, robots, draw, mates, [(draw.between(2.6, 3.2), side * 0.9)], (0.7, side * 1.6))
 
 
-def place_two_v_two(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
+def place_two_v_two(league: League, ball: Any, robots: Any, draw: scene.SceneRandom) -> None:
     """Place two home players before two defenders and the goalkeeper."""
     side = draw.side()
     mates = [(draw.between(0.6, 1.4), -side * draw.between(1.2, 2.0))]
@@ -89,22 +79,22 @@ def place_two_v_two(league: League, ball: Any, robots: Any, draw: SceneRandom) -
     place_attack(league, ball, robots, draw, mates, defenders, (0.7, side * 1.2))
 
 
-def place_keep_away(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
+def place_keep_away(league: League, ball: Any, robots: Any, draw: scene.SceneRandom) -> None:
     """Place two home players on two sides, and one of away's, which comes for the ball."""
     side = draw.side()
     mates = [(draw.between(1.0, 2.5), -side * draw.between(1.6, 2.6))]
     place_attack(league, ball, robots, draw, mates, [(draw.between(3.0, 3.8), side * 0.6)], (0.9, side * 1.0))
 
 
-def place_alone_at_keeper(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
+def place_alone_at_keeper(league: League, ball: Any, robots: Any, draw: scene.SceneRandom) -> None:
     """Place a home player alone before the goalkeeper."""
     place_attack(league, ball, robots, draw, [], [], (draw.between(2.0, 3.5), draw.between(-2.0, 2.0)))
 
 
-def attack(name: str, description: str, place: Place, players: int, *opponents: str, **more: Any) -> Scene:
+def attack(name: str, description: str, place: scene.Place, players: int, *opponents: str, **more: Any) -> scene.Scene:
     """Return an attack, in which the referee calls no fouls and no dropped balls."""
-    usual = {"success": "home scores", "time_limit": ATTACK, "in_play": True, "rules": PATIENT}
-    return Scene(name, description, place, players=players, opponents=opponents, **{**usual, **more})
+    usual = {"success": "home scores", "time_limit": ATTACK, "in_play": True, "rules": scene.PATIENT}
+    return scene.Scene(name, description, place, players=players, opponents=opponents, **{**usual, **more})
 
 
 HALF = "chaser@0.5"

@@ -17,17 +17,8 @@ from math import atan2, cos, pi, sin
 from typing import Any
 
 from soccer_env.leagues.league import League
+from soccer_env.scenes import scene
 from soccer_env.scenes.drills import ATTACK, goalkeeper_of_away, roll
-from soccer_env.scenes.scene import (
-    PATIENT,
-    Scene,
-    SceneRandom,
-    last_row,
-    last_rows,
-    put_robot,
-    put_with_ball,
-    send_away,
-)
 from soccer_env.types import AWAY, HOME, Phase
 
 STEP = 1.2  # [m] between two obstacles of the challenge, along the pitch
@@ -35,7 +26,7 @@ ASIDE = 0.35  # [m] of obstacles beside the straight way, to either side in turn
 OBSTACLES = 4
 
 
-def place_post_shot(league: League, ball: Any, robots: Any, draw: SceneRandom, far: bool) -> None:
+def place_post_shot(league: League, ball: Any, robots: Any, draw: scene.SceneRandom, far: bool) -> None:
     """Kick the ball from 3 to 5 m at 4 to 10 m/s at a post of away's goal, the goalkeeper between ball and goal."""
     goal, side = league.pitch.length / 2, draw.side()
     away, angle = draw.between(3.0, 5.0), side * draw.between(0.3, 0.8)
@@ -45,57 +36,59 @@ def place_post_shot(league: League, ball: Any, robots: Any, draw: SceneRandom, f
     roll(ball, atan2(aim - ball["y"], goal - ball["x"]), draw.between(4.0, 10.0))
     ball["roll_x"] = ball["roll_y"] = 0.0  # a kicked ball slides first
     keeper = goalkeeper_of_away(robots)
-    send_away(league, robots, keeper)
+    scene.send_away(league, robots, keeper)
     out = draw.between(0.5, 1.0)
-    put_robot(robots[keeper], goal - out * cos(angle), out * sin(angle), pi - angle)
+    scene.put_robot(robots[keeper], goal - out * cos(angle), out * sin(angle), pi - angle)
 
 
-def place_rolling(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
+def place_rolling(league: League, ball: Any, robots: Any, draw: scene.SceneRandom) -> None:
     """Roll the ball past home's last robot, from 3 to 5 m away at 1 to 3 m/s, passing it up to 1 m aside."""
-    receiver = last_row(robots, HOME)
-    send_away(league, robots, receiver)
+    receiver = scene.last_row(robots, HOME)
+    scene.send_away(league, robots, receiver)
     x, y, way = draw.between(0.0, 1.5), draw.between(-1.0, 1.0), draw.between(-pi / 2, pi / 2)
     away, aside = draw.between(3.0, 3.5), draw.between(-1.0, 1.0)
     ball["x"], ball["y"] = x + away * cos(way), min(max(y + away * sin(way), -3.6), 3.6)
-    put_robot(robots[receiver], x, y, way)
+    scene.put_robot(robots[receiver], x, y, way)
     course = atan2(y - ball["y"], x - ball["x"]) + atan2(aside, away)
     roll(ball, course, draw.between(1.0, 3.0))
 
 
-def place_obstacles(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
+def place_obstacles(league: League, ball: Any, robots: Any, draw: scene.SceneRandom) -> None:
     """Place still obstacles on the path to the goal from home's last robot, which has the ball.  MH24"""
-    dribbler, others = last_row(robots, HOME), last_rows(robots, AWAY, OBSTACLES)
-    send_away(league, robots, dribbler, *others)
+    dribbler, others = scene.last_row(robots, HOME), scene.last_rows(robots, AWAY, OBSTACLES)
+    scene.send_away(league, robots, dribbler, *others)
     x, y, side = draw.between(-2.6, -2.3), draw.between(-0.5, 0.5), draw.side()
-    put_with_ball(league, ball, robots[dribbler], x, y, 0.0)
+    scene.put_with_ball(league, ball, robots[dribbler], x, y, 0.0)
     for number, row in enumerate(others):
         off = side * (-1.0) ** number * ASIDE + draw.between(-0.1, 0.1)
-        put_robot(robots[row], x + 1.6 + STEP * number + draw.between(-0.1, 0.1), y + off, draw.between(-pi, pi))
+        scene.put_robot(robots[row], x + 1.6 + STEP * number + draw.between(-0.1, 0.1), y + off, draw.between(-pi, pi))
 
 
-def place_for_corner(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
+def place_for_corner(league: League, ball: Any, robots: Any, draw: scene.SceneRandom) -> None:
     """Place the ball near a corner beside away's goal."""
     near = league.rules.corner_offset
     ball["x"] = league.pitch.length / 2 - near - draw.between(0.4, 0.8)
     ball["y"] = draw.side() * (league.pitch.width / 2 - near - draw.between(0.4, 0.8))
 
 
-def place_for_free_kick(league: League, ball: Any, robots: Any, draw: SceneRandom) -> None:
+def place_for_free_kick(league: League, ball: Any, robots: Any, draw: scene.SceneRandom) -> None:
     """Place the ball in away's half, outside the penalty area."""
     ball["x"], ball["y"] = draw.between(1.5, 3.5), draw.between(-2.5, 2.5)
 
 
-def set_piece(name: str, description: str, place: Any, phase: Phase) -> Scene:
+def set_piece(name: str, description: str, place: Any, phase: Phase) -> scene.Scene:
     """Return a drill of three a side under the rules of the league: home takes a restart and has to score."""
-    return Scene(
+    return scene.Scene(
         name, description, place, "home scores", ATTACK, opponents=("chaser",) * 3, players=3,
         families=("middle-size",), restart=phase,
     )  # fmt: skip
 
 
-def middle_size_drill(name: str, description: str, place: Any, success: str, limit: float, **more: Any) -> Scene:
+def middle_size_drill(name: str, description: str, place: Any, success: str, limit: float, **more: Any) -> scene.Scene:
     """Return a drill of the middle-size league, whose referee calls no fouls and no dropped balls."""
-    return Scene(name, description, place, success, limit, True, families=("middle-size",), rules=PATIENT, **more)
+    return scene.Scene(
+        name, description, place, success, limit, True, families=("middle-size",), rules=scene.PATIENT, **more
+    )
 
 
 DRILLS_MIDDLE = (

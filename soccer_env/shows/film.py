@@ -71,8 +71,11 @@ def film_frames(
                     past.append(shot)
                 at = step
                 overlays = make_overlays(flags, reel.cast, past[-1], list(past)[:-1], picture.width)
-                frame = picture.draw(*past[-1][:3], title=replay.teams, overlays=overlays)
-                frame = with_bars(frame, settings.width, settings.height)
+                drawn = picture.draw(*past[-1][:3], title=replay.teams, overlays=overlays)
+                high, wide = drawn.shape[:2]
+                frame = np.full((settings.height or high, settings.width, 3), PANEL, np.uint8)
+                top, left = (len(frame) - high) // 2, (settings.width - wide) // 2
+                frame[top : top + high, left : left + wide] = drawn
             yield frame
             if note is not None:
                 note(1)
@@ -86,15 +89,6 @@ def widest_picture(league: League, width: int, height: int | None) -> int:
         if height is None or bar_height(wide) + view_of(league.pitch, wide)[1] <= height:
             return wide
     raise ValueError(f"a picture of {league.name} does not fit into a height of {height} pixels")
-
-
-def with_bars(frame: np.ndarray, width: int, height: int | None) -> np.ndarray:
-    """Return a frame (H, W, 3) in the middle of a frame of a width and a height [px]; None: its own height."""
-    high, wide = frame.shape[:2]
-    whole = np.full((height or high, width, 3), PANEL, np.uint8)
-    top, left = (len(whole) - high) // 2, (width - wide) // 2
-    whole[top : top + high, left : left + wide] = frame
-    return whole
 
 
 def check_overwrite(path: str | os.PathLike[str], anew: bool) -> None:

@@ -115,7 +115,9 @@ def make_team(team: str | Team, strength: float | None = None, **settings: Any) 
         raise ValueError(unknown_team_error(name, known))
     factory = import_factory(known[name])
     changes = {**changes, **settings}
-    check_factory(name, known[name], factory)
+    accepted = signature(factory).parameters.values() if callable(factory) else ()
+    if not any(one.name == "strength" or one.kind is one.VAR_KEYWORD for one in accepted):
+        raise ValueError(f"team {name!r} must be a function that takes strength=, {known[name]} is {factory!r}")
     check_settings_accepted(name, factory, changes)
     made: Team = factory(strength=from_name, **changes)
     return make_team(made)
@@ -200,13 +202,6 @@ def import_factory(where: str) -> Callable[..., Any]:
     module, _, attribute = where.partition(":")
     factory: Callable[..., Any] = getattr(import_module(module), attribute)
     return factory
-
-
-def check_factory(name: str, where: str, factory: Any) -> None:
-    """Raise ValueError unless the factory of a named team is a function with the parameter `strength`."""
-    accepted = signature(factory).parameters.values() if callable(factory) else ()
-    if not any(one.name == "strength" or one.kind is one.VAR_KEYWORD for one in accepted):
-        raise ValueError(f"team {name!r} must be a function that takes strength=, {where} is {factory!r}")
 
 
 def check_settings_accepted(name: str, factory: Callable[..., Any], settings: dict[str, Any]) -> None:

@@ -62,15 +62,10 @@ class TeamRandom:
 
         states = self._states[:, self._players, TEAM_STREAM] + GOLDEN
         self._states[:, self._players, TEAM_STREAM] = states
-        return low + (high - low) * ((mix_array(states) >> np.uint64(11)).astype(np.float64) * TO_UNIT)
-
-
-def mix_array(states: np.ndarray) -> np.ndarray:
-    """Apply `random_numbers.mix` to each element of an array of states."""
-    python = getattr(mix_bits, "py_func", mix_bits)
-    with np.errstate(over="ignore"):
-        mixed: np.ndarray = python(states)
-    return mixed
+        python = getattr(mix_bits, "py_func", mix_bits)
+        with np.errstate(over="ignore"):
+            mixed: np.ndarray = python(states)
+        return low + (high - low) * ((mixed >> np.uint64(11)).astype(np.float64) * TO_UNIT)
 
 
 @runtime_checkable

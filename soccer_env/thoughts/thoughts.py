@@ -39,7 +39,8 @@ class Thoughts:
 
     def __init__(self, match: Match, shown: Mapping[str, tuple[str, ...]] | None = None, grouped: bool = True) -> None:
         self.every = max(1, match.league.control_rate // PER_SECOND)
-        self.slots = int(match.tracks.shape[2]) if has_beliefs(match) else 0
+        has_beliefs = match.batch.senses is not None or match.batch.ideal.any()
+        self.slots = int(match.tracks.shape[2]) if has_beliefs else 0
         self.fields = [memory_fields(match, r, shown) for r in range(len(match.agents))]
         self.groups = note_groups(match) if self.slots and grouped else []
         self.steps: list[int] = []
@@ -125,11 +126,6 @@ def checked_fields(fields: Any) -> list[list[Any]]:
     if len(checked) > MOST_FIELDS or not all(field[2] > 0.0 for field in checked):
         raise ValueError("the fields of its thoughts are damaged")
     return checked
-
-
-def has_beliefs(match: Match) -> bool:
-    """Tell whether any robot of a match has beliefs."""
-    return bool(match.batch.senses is not None or match.batch.ideal.any())
 
 
 def memory_fields(match: Match, r: int, shown: Mapping[str, tuple[str, ...]] | None) -> list[list[Any]]:

@@ -84,7 +84,9 @@ class Worker:
 def compare_checkouts(settings: BenchSettings, script: Path = WORKER) -> dict[str, Any]:
     """Measure both checkouts and return the report that --out writes: machine, checkouts, rows and pairs."""
     assert settings.against is not None
-    checkouts = {HERE: current_checkout(), THERE: settings.against}
+    if not (PACKAGE.parent / "train").is_dir():
+        raise ValueError("--against compares checkouts, and this soccer_env is installed outside of one")
+    checkouts = {HERE: PACKAGE.parent, THERE: settings.against}
     paths = {name: str(path) for name, path in checkouts.items()}
     pairs: Pairs = {}
     lacking: dict[str, str] = {}
@@ -137,13 +139,6 @@ def ratio_of(name: str, pairs: list[tuple[float, float]]) -> Ratio:
         {HERE: here, THERE: there}, lambda sample: float(np.median(sample[HERE]) / np.median(sample[THERE]))
     )
     return Ratio(name, median(here), median(there), value, low, high)
-
-
-def current_checkout() -> Path:
-    """Return the folder of the checkout that contains this code; ValueError for an installed package."""
-    if not (PACKAGE.parent / "train").is_dir():
-        raise ValueError("--against compares checkouts, and this soccer_env is installed outside of one")
-    return PACKAGE.parent
 
 
 @contextmanager

@@ -89,7 +89,14 @@ def run_benchmark(settings: BenchSettings) -> dict[str, Any]:
             progress.note(league)
             samples[league] = measure_core(league, settings)
             rows += core_rows(league, samples[league])
-            samples[f"{league} APIs"] = measure_apis(league, settings)
+            loads = {
+                "step": api_timer(league, False, 1, 125),
+                "belief": api_timer(league, False, 1, 125, observe="belief"),
+                "reset": api_timer(league, True, 1, 50),
+                "branch": branch_timer(league, 1, 50),
+                "branches": branch_timer(league, 1, 20, together=True),
+            }
+            samples[f"{league} APIs"] = interleave_samples(loads, settings.repetitions)
             rows += api_rows(league, samples[f"{league} APIs"])
             progress.advance(1)
         progress.note("planning")
@@ -124,18 +131,6 @@ def measure_core(league: str, settings: BenchSettings) -> Samples:
         "chaser, 2 threads": CoreLoad(league, "chaser", matches, 2, seed),
     }
     return interleave_samples({name: partial(load.sample, steps) for name, load in loads.items()}, settings.repetitions)
-
-
-def measure_apis(league: str, settings: BenchSettings) -> Samples:
-    """Return the samples [s] of a step and of a reset of the PettingZoo API, and of a branch of a match."""
-    loads = {
-        "step": api_timer(league, False, 1, 125),
-        "belief": api_timer(league, False, 1, 125, observe="belief"),
-        "reset": api_timer(league, True, 1, 50),
-        "branch": branch_timer(league, 1, 50),
-        "branches": branch_timer(league, 1, 20, together=True),
-    }
-    return interleave_samples(loads, settings.repetitions)
 
 
 def ratio(samples: Samples, above: str, below: str) -> float:

@@ -12,15 +12,7 @@ import numpy as np
 from soccer_env.leagues import find_league
 from soccer_env.match import Match
 from soccer_env.match.variation import THEMSELVES, names_of
-from soccer_env.physics.engine.reference import (
-    REFERENCE_DISCS,
-    REFERENCE_DT,
-    REFERENCE_SUBSTEPS,
-    read_slice,
-    reference_space,
-    step_bare_slice,
-    write_slice,
-)
+from soccer_env.physics.engine import reference
 from soccer_env.physics.engine.space_batch import SpaceBatch
 
 PLAYERS = 3  # a side
@@ -100,11 +92,11 @@ class BareMatch(Match):
     def _advance_bare(self, dt: float, substeps: np.ndarray, first: int, last: int) -> None:
         """Advance the Spaces and time cpSpaceStep alone."""
         links = self.batch.physics.links
-        write_slice(links, first, last)
+        reference.write_slice(links, first, last)
         start = perf_counter()
-        step_bare_slice(links, substeps, dt, first, last)
+        reference.step_bare_slice(links, substeps, dt, first, last)
         self.bare += perf_counter() - start
-        read_slice(links, first, last)
+        reference.read_slice(links, first, last)
 
 
 class OwnPhysicsLoad(CoreLoad):
@@ -125,23 +117,23 @@ class ReferencePhysicsLoad:
 
     def __init__(self, matches: int, seed: int) -> None:
         self.rng = np.random.default_rng(seed)
-        self.batch = SpaceBatch(matches, 1 + REFERENCE_DISCS, "c")
-        self.substeps = np.full(matches, REFERENCE_SUBSTEPS)
+        self.batch = SpaceBatch(matches, 1 + reference.REFERENCE_DISCS, "c")
+        self.substeps = np.full(matches, reference.REFERENCE_SUBSTEPS)
         for m in range(matches):
-            self.batch.set_space(m, reference_space(self.rng))
+            self.batch.set_space(m, reference.reference_space(self.rng))
 
     def sample(self, steps: int) -> float:
         """Return the seconds per match step, averaged over at least `steps` steps."""
         spent, matches = 0.0, len(self.substeps)
         rounds = -(-steps // REFERENCE_STEPS)
         for _ in range(rounds):
-            self.batch.velocities[:, : 1 + REFERENCE_DISCS] = self.rng.uniform(
-                -1.0, 1.0, (matches, 1 + REFERENCE_DISCS, 3)
+            self.batch.velocities[:, : 1 + reference.REFERENCE_DISCS] = self.rng.uniform(
+                -1.0, 1.0, (matches, 1 + reference.REFERENCE_DISCS, 3)
             )
-            write_slice(self.batch.links, 0, matches)
+            reference.write_slice(self.batch.links, 0, matches)
             start = perf_counter()
             for _ in range(REFERENCE_STEPS):
-                step_bare_slice(self.batch.links, self.substeps, REFERENCE_DT, 0, matches)
+                reference.step_bare_slice(self.batch.links, self.substeps, reference.REFERENCE_DT, 0, matches)
             spent += perf_counter() - start
         return spent / (rounds * REFERENCE_STEPS * matches)
 

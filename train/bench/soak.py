@@ -75,7 +75,9 @@ def measure_soak(settings: BenchSettings) -> dict[str, Any]:
             start = process_time()
             played = mixture.play(each, Path(folder, "soak.replay"))
             total += played
-            laps.append(Lap(total, (process_time() - start) / played, resident_bytes(), open_files()))
+            laps.append(
+                Lap(total, (process_time() - start) / played, resident_bytes(), len(os.listdir("/proc/self/fd")))
+            )
             progress.note(lap_text(laps[-1]))
             progress.advance(1)
     report = {"machine": machine(), "rows": [asdict(row) for row in soak_rows(laps)], "laps": [*map(asdict, laps)]}
@@ -107,8 +109,3 @@ def resident_bytes() -> int:
     """Return the resident memory of this process."""
     pages = int(Path("/proc/self/statm").read_text(encoding="ascii").split()[1])
     return pages * os.sysconf("SC_PAGE_SIZE")
-
-
-def open_files() -> int:
-    """Return the number of open file handles of this process."""
-    return len(os.listdir("/proc/self/fd"))

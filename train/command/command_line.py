@@ -12,18 +12,9 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, get_args
 
 from soccer_env.guards.names import unknown
+from soccer_env.train.command import match_commands
 from soccer_env.train.command.exit_codes import BELOW, STOPPED, WRONG
 from soccer_env.train.command.interrupts import repeat_swallowed_interrupts
-from soccer_env.train.command.match_commands import (
-    recheck_sample,
-    run_export,
-    run_play,
-    run_record,
-    run_replay,
-    run_sweep,
-    run_tournament,
-    run_watch,
-)
 from soccer_env.train.command.parsing import COMPLETION, completion, read_settings, reason_of, take_out_flag
 from soccer_env.train.command.printing import console, print_json, print_kept_replays, print_written_files
 
@@ -140,9 +131,11 @@ def run_evaluate(words: list[str]) -> int:
 
     settings = read_settings(EvaluateSettings, words, "evaluate")
     if settings.recheck is not None:
-        return recheck_sample(settings, {word[2:].partition("=")[0] for word in words if word.startswith("--")})
+        return match_commands.recheck_sample(
+            settings, {word[2:].partition("=")[0] for word in words if word.startswith("--")}
+        )
     if settings.sweep:
-        return run_sweep(settings)
+        return match_commands.run_sweep(settings)
     from soccer_env.train.command.compiling_beside import compile_step_beside
     from soccer_env.train.evaluate.drills import chosen_drills, evaluate_drills
     from soccer_env.train.evaluate.evaluation import evaluate
@@ -273,15 +266,15 @@ COMMANDS: dict[str, Callable[[list[str]], int]] = {
     "evaluate": run_evaluate,
     "list": run_list,
     "bench": run_bench,
-    "export": run_export,
-    "play": run_play,
-    "record": run_record,
-    "replay": run_replay,
+    "export": match_commands.run_export,
+    "play": match_commands.run_play,
+    "record": match_commands.run_record,
+    "replay": match_commands.run_replay,
     "reproduce": run_reproduce,
-    "tournament": run_tournament,
+    "tournament": match_commands.run_tournament,
     "train": run_train,
     "warm-up": run_warm_up,
-    "watch": run_watch,
+    "watch": match_commands.run_watch,
 }
 
 

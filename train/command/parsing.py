@@ -158,19 +158,14 @@ def completion(shell: str, kinds: Mapping[str, type], summaries: Mapping[str, st
     script = io.StringIO()
     with contextlib.suppress(SystemExit), contextlib.redirect_stdout(script):
         tyro.cli(every, args=[COMPLETION[1], shell], prog="soccer", config=config, registry=REGISTRY)
-    text = flatten_descriptions(script.getvalue())
+    lines = script.getvalue().splitlines()
+    for at, line in enumerate(lines):
+        if "COMPLETION_SPEC = {" in line:  # a shell reads each line of a description as a completion
+            lines[at] = line.replace("\\\\n", " ").replace("\\n", " ")
+    text = "\n".join(lines)
     if shell == "zsh":  # so that it can be sourced, not only placed in $fpath
         text = re.sub(r'^(_tyro_soccer) "\$@"$', AUTOLOADED_OR_SOURCED, text, flags=re.MULTILINE)
     return text
-
-
-def flatten_descriptions(script: str) -> str:
-    """Join each description in a completion script into one line, since shells read each line as a completion."""
-    lines = script.splitlines()
-    for at, line in enumerate(lines):
-        if "COMPLETION_SPEC = {" in line:
-            lines[at] = line.replace("\\\\n", " ").replace("\\n", " ")
-    return "\n".join(lines)
 
 
 def fill_flag(words: list[str], flag: str, value: str) -> list[str]:

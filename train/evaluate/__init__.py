@@ -33,11 +33,11 @@ __all__ = ["EvaluateSettings", "EvaluationResult", "RecheckResult", "evaluate", 
 __getattr__, __dir__ = lazy_names(
     __name__,
     {
-        "EvaluateSettings": "soccer_env.train.evaluate.settings",
-        "EvaluationResult": "soccer_env.train.evaluate.results",
-        "RecheckResult": "soccer_env.train.evaluate.rechecking",
-        "evaluate": "soccer_env.train.evaluate.evaluation",
-        "evaluate_drills": "soccer_env.train.evaluate.drills",
-        "recheck": "soccer_env.train.evaluate.rechecking",
+        "EvaluateSettings": "settings",
+        "EvaluationResult": "results",
+        "RecheckResult": "rechecking",
+        "evaluate": "evaluation",
+        "evaluate_drills": "drills",
+        "recheck": "rechecking",
     },
 )

@@ -96,7 +96,10 @@ def play_evaluation(contest: Contest, folder: ResultsFolder, workers: Workers, p
     """Play the matches that are missing in the folder; return the result of all matches."""
     lines = play_missing_matches(contest, folder, workers, progress)
     result = summarise(contest.conditions, folder.made_with, lines, contest.league.pitch)
-    return replace(result, trained=training_notes(contest))
+    notes: dict[str, str] = {}
+    for _, policy, setting, trained, _ in differing_settings(contest):
+        notes[policy.name] = ", ".join(filter(None, (notes.get(policy.name), f"{setting} {trained}")))
+    return replace(result, trained=notes)
 
 
 def write_reports(contest: Contest, folder: ResultsFolder, result: EvaluationResult, keep: Keep) -> None:
@@ -111,14 +114,6 @@ def write_reports(contest: Contest, folder: ResultsFolder, result: EvaluationRes
 def result_text(result: EvaluationResult) -> str:
     """Return the contents of result.json."""
     return json.dumps(result.as_dict(), indent=2) + "\n"
-
-
-def training_notes(contest: Contest) -> dict[str, str]:
-    """Describe, for each policy, the settings of its training that differ from this contest."""
-    notes: dict[str, str] = {}
-    for _, policy, setting, trained, _ in differing_settings(contest):
-        notes[policy.name] = ", ".join(filter(None, (notes.get(policy.name), f"{setting} {trained}")))
-    return notes
 
 
 def play_missing_matches(

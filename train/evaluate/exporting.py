@@ -38,27 +38,21 @@ def export(settings: ExportSettings) -> str:
         advice = f"; {kind} needs --maps: heat maps, pass networks, shot maps" if kind in MAPS and not option else ""
         raise ValueError(f"{must}, got {str(settings.target)!r}{advice}")
     if kind in DATA or settings.beliefs:
-        check_target(
-            settings.target.with_suffix(".tmp")
-        )  # only the folder above: `check_targets_free` checks NAME.cdf itself
+        # only the folder above: `check_targets_free` checks NAME.cdf itself
+        check_target(settings.target.with_suffix(".tmp"))
         return names_and_size(export_data(settings))
     if settings.file.is_dir():
-        return names_and_size(export_each(settings))
+        sources = find_replay_files(settings.file)
+        targets = targets_of(settings.target, sources)
+        check_target(targets[0])
+        check_targets_free(targets, settings.anew)
+        for source, target in zip(sources.values(), targets, strict=True):
+            export_one(replace(settings, file=source, out=target), settings.target.suffix.lower())
+        return names_and_size(targets)
     check_target(settings.target)
     if settings.target.exists() and not settings.anew:
         raise ValueError(f"{settings.target} exists already; give another --out, or --anew to write over it")
     return export_one(settings, kind)
-
-
-def export_each(settings: ExportSettings) -> list[Path]:
-    """Export every replay below a folder to a film, page or picture; return the files written."""
-    sources = find_replay_files(settings.file)
-    targets = targets_of(settings.target, sources)
-    check_target(targets[0])
-    check_targets_free(targets, settings.anew)
-    for source, target in zip(sources.values(), targets, strict=True):
-        export_one(replace(settings, file=source, out=target), settings.target.suffix.lower())
-    return targets
 
 
 def export_one(settings: ExportSettings, kind: str) -> str:

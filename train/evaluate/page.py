@@ -43,7 +43,12 @@ def page_of(result: EvaluationResult, about: dict[str, str], kept: Sequence[Kept
     page.say("This command plays what is missing and writes this report again:")
     page.command(about.get("command", ""))
     page.table(("", ""), conditions_rows(result, about))
-    add_matches(page, result)
+    page.section("Matches")
+    page.fold(f"scores of {len(result.lines) // 2} pairs, {conditions.home} first")
+    columns, pairs, rest = pair_rows(result)
+    page.table(columns, pairs, sorts=True)
+    page.unfold()
+    page.say(rest)
     return page.html()
 
 
@@ -71,16 +76,6 @@ def add_maps(page: ReportPage, result: EvaluationResult, head: tuple[str, str, s
     page.table(("from, to", *head[1:]), pass_rows(result.maps))
     page.say("Players are numbered from 0, the goalkeeper.")
     page.say("`soccer export result.json --maps --out maps.png` draws these as one picture.")
-
-
-def add_matches(page: ReportPage, result: EvaluationResult) -> None:
-    """Add the table of match pairs to the page, folded."""
-    page.section("Matches")
-    page.fold(f"scores of {len(result.lines) // 2} pairs, {result.conditions.home} first")
-    head, pairs, rest = pair_rows(result)
-    page.table(head, pairs, sorts=True)
-    page.unfold()
-    page.say(rest)
 
 
 def draw_differences(result: EvaluationResult) -> Iterator[Drawn]:

@@ -70,6 +70,8 @@ def markdown(result: EvaluationResult, about: dict[str, str]) -> str:
     """Return the report in Markdown; `about`: command, date and commit of the evaluation."""
     home, away = escape_text(result.conditions.home), escape_text(result.conditions.away)
     head, pairs, rest = pair_rows(result)
+    command = about.get("command", "")
+    fence = "`" * max(3, 1 + max(map(len, re.findall("`+", command)), default=0))  # longer than any in it
     lines = [
         f"# {home} against {away}",
         f"{verdict_sentence(result, escape_text)} Results are {home}'s; intervals are 95 % bootstraps over pairs.",
@@ -79,7 +81,7 @@ def markdown(result: EvaluationResult, about: dict[str, str]) -> str:
         "## Conditions",
         table(("", ""), [(escape_text(name), escape_text(value)) for name, value in conditions_rows(result, about)]),
         "This command plays what is missing and writes this report again:",
-        code_block(about.get("command", "")),
+        f"{fence}bash\n{command}\n{fence}",
         "## Matches",
         "Goals of the home team first." if result.conditions.self_play else f"Goals of {home} first.",
         table(head, pairs),
@@ -163,12 +165,6 @@ def pair_rows(result: EvaluationResult) -> tuple[tuple[str, ...], list[tuple[str
 def escape_text(text: str) -> str:
     """Escape a team's name for Markdown and HTML, because policy files of strangers may have malicious names."""
     return re.sub(r"([\\`*\[\]<>&#~]|\b_|_\b)", r"\\\1", " ".join(text.split()))
-
-
-def code_block(command: str) -> str:
-    """Return a command as a Markdown code block, with a fence longer than any in the command."""
-    fence = "`" * max(3, 1 + max(map(len, re.findall("`+", command)), default=0))
-    return f"{fence}bash\n{command}\n{fence}"
 
 
 def table(head: tuple[str, ...], cells: Sequence[tuple[str, ...]]) -> str:

@@ -10,23 +10,11 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.statistics.figures import (
-    FIGURES,
-    LENGTH,
-    LENGTHS,
-    MOST,
-    PERCENTS,
-    RATE,
-    SHARE,
-    SIDES,
-    Statistic,
-    flatten_statistics,
-    spell_quantile,
-)
+from soccer_env.statistics import figures
 from soccer_env.statistics.records import GoalKind
 from soccer_env.train.statistics import ratio_bootstrap
 
-UNITS = {(RATE, ""): "/min", (RATE, "s"): "s/min", (SHARE, "s"): "%"}
+UNITS = {(figures.RATE, ""): "/min", (figures.RATE, "s"): "s/min", (figures.SHARE, "s"): "%"}
 
 
 @dataclass(frozen=True)
@@ -43,9 +31,10 @@ class Total:
 def match_statistics(record: Any, team: int) -> dict[str, Any]:
     """Return the statistics for a match's result line, seen from `team`, with histograms of spell lengths."""
     lengths = {
-        f"{LENGTHS}_{side}": record[LENGTHS][of].tolist() for side, of in zip(SIDES, (team, 1 - team), strict=True)
+        f"{figures.LENGTHS}_{side}": record[figures.LENGTHS][of].tolist()
+        for side, of in zip(figures.SIDES, (team, 1 - team), strict=True)
     }
-    return flatten_statistics(record, team) | lengths
+    return figures.flatten_statistics(record, team) | lengths
 
 
 def totals(lines: Sequence[dict[str, Any]]) -> dict[str, Total]:
@@ -53,36 +42,35 @@ def totals(lines: Sequence[dict[str, Any]]) -> dict[str, Total]:
     if not lines or not all(lines):
         return {}
     result: dict[str, Total] = {}
-    rated = [(name, figure) for name, figure in statistics_by_name() if figure.kind in (RATE, SHARE)]
+    rated = [(name, figure) for name, figure in statistics_by_name() if figure.kind in (figures.RATE, figures.SHARE)]
     parts = sum_in_pairs([[line[name] for name, _ in rated] for line in lines])
     wholes = sum_in_pairs([[line[divisor_name(name, figure)] for name, figure in rated] for line in lines])
     ratios = np.stack(ratio_bootstrap(parts, wholes), axis=-1)  # value, low, high
     for (name, figure), total, ratio in zip(rated, parts.sum(axis=0), ratios, strict=True):
-        value, low, high = (finite_or_none((100.0 if figure.kind == SHARE else 60.0) * x) for x in ratio)
-        result[name] = Total(float(total), value, low, high, unit_of(figure))
+        value, low, high = (finite_or_none((100.0 if figure.kind == figures.SHARE else 60.0) * x) for x in ratio)
+        result[name] = Total(float(total), value, low, high, UNITS.get((figure.kind, figure.unit), figure.unit))
     for name, figure in statistics_by_name():
-        if figure.kind == MOST:
+        if figure.kind == figures.MOST:
             most = max(line[name] for line in lines)
             result[name] = Total(most, most, None, None, figure.unit)
-        elif figure.kind == LENGTH:
+        elif figure.kind == figures.LENGTH:
             result[name] = spell_length(lines, name, figure)
     return {name: result[name] for name, _ in statistics_by_name()}
 
 
-def statistics_by_name() -> list[tuple[str, Statistic]]:
+def statistics_by_name() -> list[tuple[str, figures.Statistic]]:
     """Return the name of each statistic in a result line ("kicks_for"), with its definition."""
-    return [(f"{x.name}_{side}" if x.team else x.name, x) for x in FIGURES for side in (SIDES if x.team else SIDES[:1])]
+    return [
+        (f"{x.name}_{side}" if x.team else x.name, x)
+        for x in figures.FIGURES
+        for side in (figures.SIDES if x.team else figures.SIDES[:1])
+    ]
 
 
-def divisor_name(name: str, figure: Statistic) -> str:
+def divisor_name(name: str, figure: figures.Statistic) -> str:
     """Return the name, in a result line, of the quantity by which a statistic is divided."""
-    whole = next(x for x in FIGURES if x.name == figure.whole)
+    whole = next(x for x in figures.FIGURES if x.name == figure.whole)
     return f"{figure.whole}_{name.rpartition('_')[2]}" if whole.team else figure.whole
-
-
-def unit_of(figure: Statistic) -> str:
-    """Return the unit of a statistic as shown in reports."""
-    return UNITS.get((figure.kind, figure.unit), figure.unit)
 
 
 def sum_in_pairs(rows: list[list[float]]) -> np.ndarray:
@@ -91,13 +79,13 @@ def sum_in_pairs(rows: list[list[float]]) -> np.ndarray:
     return np.add.reduceat(numbers, np.arange(0, len(numbers), 2), axis=0)
 
 
-def spell_length(lines: Sequence[dict[str, Any]], name: str, figure: Statistic) -> Total:
+def spell_length(lines: Sequence[dict[str, Any]], name: str, figure: figures.Statistic) -> Total:
     """Return a quantile of the lengths of all spells of possession, with an interval from resampled pairs."""
-    counts = sum_in_pairs([line[f"{LENGTHS}_{name.rpartition('_')[2]}"] for line in lines])
+    counts = sum_in_pairs([line[f"{figures.LENGTHS}_{name.rpartition('_')[2]}"] for line in lines])
     weights = np.random.default_rng(0).multinomial(len(counts), [1.0 / len(counts)] * len(counts), size=1000)
-    share = PERCENTS[figure.name]
-    value = float(spell_quantile(counts.sum(axis=0), share))
-    low, high = np.percentile(spell_quantile(weights @ counts, share), [2.5, 97.5])
+    share = figures.PERCENTS[figure.name]
+    value = float(figures.spell_quantile(counts.sum(axis=0), share))
+    low, high = np.percentile(figures.spell_quantile(weights @ counts, share), [2.5, 97.5])
     return Total(value, value, float(low), float(high), figure.unit)
 
 

@@ -26,7 +26,4 @@ if TYPE_CHECKING:
     from soccer_env.train.papers.settings import ReproduceSettings
 
 __all__ = ["ReproduceSettings", "reproduce"]
-__getattr__, __dir__ = lazy_names(
-    __name__,
-    {"ReproduceSettings": "soccer_env.train.papers.settings", "reproduce": "soccer_env.train.papers.reproduction"},
-)
+__getattr__, __dir__ = lazy_names(__name__, {"ReproduceSettings": "settings", "reproduce": "reproduction"})

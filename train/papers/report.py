@@ -207,7 +207,15 @@ def page_of(results: Sequence[ClaimResult], folder: ResultsFolder) -> str:
     add_comparison(page, results)
     page.section("Claims")
     for result in results:
-        add_claim(page, result)
+        page.heading(f"{result.id}: {result.marked_verdict}")
+        for part in claim_parts(result):
+            if isinstance(part, str):
+                page.say(part)
+            elif part:
+                page.table(FINDINGS, part)
+        for figure in result.figures if can_draw() else ():
+            page.figure(draw_curves(figure, form="svg"), figure["title"])
+        page.command(result.command)
     page.section("Conditions")
     page.say("This command measures what is missing and writes this report again:")
     page.command(str(folder.about.get("command", "")))
@@ -242,16 +250,3 @@ def rows_of(results: Sequence[ClaimResult]) -> Iterator[Row]:
                     f"{result.id} {finding['criterion']}", estimate_with_interval(finding), finding["estimate"],
                     -inf if low is None else low, inf if high is None else high, *(least or [-inf]), *(most or [inf]),
                 )  # fmt: skip
-
-
-def add_claim(page: ReportPage, result: ClaimResult) -> None:
-    """Add the section of one claim's result to the page."""
-    page.heading(f"{result.id}: {result.marked_verdict}")
-    for part in claim_parts(result):
-        if isinstance(part, str):
-            page.say(part)
-        elif part:
-            page.table(FINDINGS, part)
-    for figure in result.figures if can_draw() else ():
-        page.figure(draw_curves(figure, form="svg"), figure["title"])
-    page.command(result.command)

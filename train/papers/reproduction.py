@@ -55,9 +55,8 @@ def reproduce(settings: ReproduceSettings, *, known: Mapping[str, Claim] | None 
 
 def made_with(claims: list[Claim]) -> dict[str, str]:
     """Return the library versions and the hashes of match and claim code on which results depend."""
-    modules = sorted(
-        {getattr(claim.measure, "func", claim.measure).__module__ for claim in claims}
-    )  # func: of a partial
+    # func: of a partial
+    modules = sorted({getattr(claim.measure, "func", claim.measure).__module__ for claim in claims})
     code = {"code": module_hash("soccer_env.match.match"), "claims": digest("".join(map(module_hash, modules)))}
     return {name: version_of(name) for name in LIBRARIES} | {"world": str(WORLD)} | code
 

@@ -25,9 +25,7 @@ if TYPE_CHECKING:
     from soccer_env.train.ppo.vec_env import SoccerVecEnv
 
 __all__ = ["SoccerVecEnv", "TrainSettings", "train"]
-__getattr__, __dir__ = lazy_names(
-    __name__, {"SoccerVecEnv": "soccer_env.train.ppo.vec_env", "TrainSettings": "soccer_env.train.ppo.settings"}
-)
+__getattr__, __dir__ = lazy_names(__name__, {"SoccerVecEnv": "vec_env", "TrainSettings": "settings"})
 
 
 def train(settings: TrainSettings) -> TrainResult:

@@ -10,13 +10,11 @@ from functools import cache
 from itertools import product
 from math import ceil
 from pathlib import Path
-from typing import Any
 
 from soccer_env.agents.policy import Policy
 from soccer_env.agents.policy_file import load
 from soccer_env.agents.recurrent import memory_units
 from soccer_env.guards.checking import short_repr
-from soccer_env.leagues.league import League
 from soccer_env.train.cluster import Workers
 from soccer_env.train.ppo.curriculum import Curriculum
 from soccer_env.train.ppo.learner import check_device
@@ -45,12 +43,20 @@ def check_playable(settings: TrainSettings) -> None:
         curriculum = make_curriculum(settings)
         for sizes in settings.sizes:
             make_matches(replace(settings, matches=1), curriculum, [sizes]).close()
-    check_minutes(settings, league)
+    if ceil(60.0 * settings.minutes * league.control_rate - 0.5) % settings.action_repeat:
+        least = settings.action_repeat / (60.0 * league.control_rate)  # [min]
+        whole = least * max(1, round(settings.minutes / least))
+        raise ValueError(
+            f"minutes must make whole decisions of {settings.action_repeat} control steps, got {settings.minutes:g}; "
+            f"try {whole:.4g}"
+        )
     for stage in settings.stages:
         split_matches(stage.sizes, settings.matches)
     with name_setting_in_error("evaluate_against"):
         for sizes, opponent in product(settings.sizes, settings.judges):
-            check_contest(policy, opponent, settings, sizes)
+            contest = policy_contest(policy, opponent, settings, sizes)
+            contest.start("home", [0]).close()
+            contest.start("away", [0]).close()
 
 
 def check_start(settings: TrainSettings, blank: Policy) -> None:
@@ -73,17 +79,6 @@ def check_start(settings: TrainSettings, blank: Policy) -> None:
             raise ValueError(f"policy file {settings.start!r} has hidden layers of {sizes}, the run {settings.hidden}")
 
 
-def check_minutes(settings: TrainSettings, league: League) -> None:
-    """Raise ValueError unless an episode lasts a whole number of decisions, which keeps the gait phase."""
-    if ceil(60.0 * settings.minutes * league.control_rate - 0.5) % settings.action_repeat:
-        least = settings.action_repeat / (60.0 * league.control_rate)  # [min]
-        whole = least * max(1, round(settings.minutes / least))
-        raise ValueError(
-            f"minutes must make whole decisions of {settings.action_repeat} control steps, got {settings.minutes:g}; "
-            f"try {whole:.4g}"
-        )
-
-
 @contextmanager
 def name_setting_in_error(setting: str) -> Iterator[None]:
     """Prefix the message of any ValueError in a `with` block with the name of a setting."""
@@ -91,13 +86,6 @@ def name_setting_in_error(setting: str) -> Iterator[None]:
         yield
     except ValueError as error:
         raise ValueError(f"{setting}: {error}") from error
-
-
-def check_contest(policy: Any, opponent: str, settings: TrainSettings, sizes: Sizes) -> None:
-    """Raise ValueError if an evaluation against this opponent, at these team sizes, cannot be played."""
-    contest = policy_contest(policy, opponent, settings, sizes)
-    contest.start("home", [0]).close()
-    contest.start("away", [0]).close()
 
 
 @cache

@@ -61,7 +61,10 @@ class Curriculum:
             opponent.points = MEMORY * opponent.points + (1.0 - MEMORY) * result.points
             opponent.episodes += 1
             learner.episodes += 1
-            self._update_ratings(learner, opponent, result.points)
+            ranks = [1.0 - result.points, result.points]
+            sides = [[self.model.rating(mu=side.mu, sigma=side.sigma)] for side in (learner, opponent)]
+            for side, (rated,) in zip((learner, opponent), self.model.rate(sides, ranks=ranks), strict=True):
+                side.mu, side.sigma = rated.mu, rated.sigma
         self._update_weights()
 
     def add_past(self, policy: Policy, step: int, playing: Sequence[str] = ()) -> None:
@@ -106,10 +109,3 @@ class Curriculum:
         self.lineup.weights[:] = 0.0
         for part, share in zip(parts, shares, strict=True):
             self.lineup.weights[[self.names.index(name) for name in part]] = share / len(part)
-
-    def _update_ratings(self, learner: OpponentStanding, opponent: OpponentStanding, points: float) -> None:
-        """Update the ratings of learner and opponent after an episode; `points` are the learner's, 0 to 1."""
-        ranks = [1.0 - points, points]
-        sides = [[self.model.rating(mu=side.mu, sigma=side.sigma)] for side in (learner, opponent)]
-        for side, (rated,) in zip((learner, opponent), self.model.rate(sides, ranks=ranks), strict=True):
-            side.mu, side.sigma = rated.mu, rated.sigma

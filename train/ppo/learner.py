@@ -93,18 +93,14 @@ def begin_networks(network: SoccerPolicy, settings: TrainSettings) -> None:
     if settings.start_file is None:
         return
     if Path(settings.start).is_dir():
-        take_over(network, Path(settings.start))
+        run = Path(settings.start)
+        saved = read_checkpoint(run)
+        try:
+            network.load_state_dict((saved or {})["network"])
+        except (KeyError, RuntimeError) as error:
+            raise ValueError(f"start: the networks of the run in {run} are not those of this run ({error})") from error
     else:
         copy_actor(network, load(settings.start_file))
-
-
-def take_over(network: SoccerPolicy, run: Path) -> None:
-    """Copy actor, noise and critic from the newest checkpoint of a run's folder; ValueError if they do not fit."""
-    saved = read_checkpoint(run)
-    try:
-        network.load_state_dict((saved or {})["network"])
-    except (KeyError, RuntimeError) as error:
-        raise ValueError(f"start: the networks of the run in {run} are not those of this run ({error})") from error
 
 
 def device_of(name: str) -> torch.device:

@@ -84,23 +84,16 @@ def begin(match: Match, seeds: np.ndarray, first_decision: int, stagger: int) ->
     """
     match.reset(seeds=seeds)
     if stagger:
-        stagger_clocks(match, stagger)
+        half = match.settings.half_length
+        if np.isfinite(half):
+            strides = int(half / (match.league.dt * stagger))
+            # with the clock go the steps, so that a limit of steps ends these episodes one after the other too
+            match.matches["step"] = np.arange(match.count) * strides // match.count * stagger
+            match.matches["clock"] = match.matches["step"] * match.league.dt
     until = first_decision or stagger  # so that observations show the new clock
     still = match.settings.actions.still(match.count, len(match.agents))
     for _ in range(until):
         match.step(still)
-
-
-def stagger_clocks(match: Match, repeat: int) -> None:
-    """Start the first episodes of M matches at different times, each after a whole number of actions.
-
-    The count of steps goes with the clock, so that a limit of steps ends these episodes one after the other too.
-    """
-    half = match.settings.half_length
-    if np.isfinite(half):
-        strides = int(half / (match.league.dt * repeat))
-        match.matches["step"] = np.arange(match.count) * strides // match.count * repeat
-        match.matches["clock"] = match.matches["step"] * match.league.dt
 
 
 def playing(match: Match) -> list[str]:

@@ -125,19 +125,14 @@ def policy_contest(policy: Policy, opponent: str, settings: TrainSettings, playe
     return contest_of(conditions_of(asked, league), league, {"policy": team_from_policy(policy)})
 
 
-def play_evaluation(contest: Contest, workers: Workers) -> list[MatchLine]:
-    """Play all matches of a contest and return their lines."""
-    lines: list[MatchLine] = []
-    play_matches(contest, set(), "", workers, lines.extend, lambda steps: None)
-    return lines
-
-
 def evaluate_policy(policy: Policy, settings: TrainSettings, workers: Workers) -> list[dict[str, Any]]:
     """Evaluate a policy at each team size against each opponent; return a row of results with 95 % intervals each."""
     rows = []
     for players, opponent in product(settings.sizes, settings.judges):
         contest = policy_contest(policy, opponent, settings, players)
-        result = summarise(contest.conditions, {}, play_evaluation(contest, workers))
+        lines: list[MatchLine] = []
+        play_matches(contest, set(), "", workers, lines.extend, lambda steps: None)
+        result = summarise(contest.conditions, {}, lines)
         mean, low, high = (getattr(result.goal_difference, name) for name in ("mean", "low", "high"))
         rows.append(
             {

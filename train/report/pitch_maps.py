@@ -108,6 +108,8 @@ def heat_colour(depth: float) -> str:
 
 def plot_network(part: Any, axes: Sequence[Any], maps: Maps) -> None:
     """Draw players at their mean positions, and arrows from passer to receiver, wider for more passes."""
+    from matplotlib.patches import Circle
+
     for one, (side, team) in zip(axes, maps.sides(), strict=True):
         players, passes = maps.players[side], maps.passes[side]
         draw_pitch(one, maps.pitch, f"{cut_team_name(team)}: {count_in_words(int(passes.sum()), 'pass', 'es')}")
@@ -123,7 +125,8 @@ def plot_network(part: Any, axes: Sequence[Any], maps: Maps) -> None:
                 share = passes[sender, receiver] / passes.max()
                 draw_arrow(one, places[sender], places[receiver], size, share, f"{passes[sender, receiver]:g}")
         for number, place in places.items():
-            draw_player_disc(one, place, size, f"{number}")
+            one.add_patch(Circle(tuple(place), 0.5 * size, facecolor="#ffffff", edgecolor=INK, linewidth=1.0, zorder=5))
+            one.text(*place, f"{number}", ha="center", va="center", fontsize=7.5, color=INK, zorder=6)
 
 
 def draw_arrow(axes: Any, start: np.ndarray, end: np.ndarray, size: float, share: float, words: str) -> None:
@@ -143,14 +146,6 @@ def draw_arrow(axes: Any, start: np.ndarray, end: np.ndarray, size: float, share
         top = start + 0.5 * way + 0.5 * BEND * np.array([way[1], -way[0]])  # where the arrow bends most
         behind = {"boxstyle": "round,pad=0.12", "facecolor": "#ffffff", "edgecolor": "none", "alpha": 0.9}
         axes.text(*top, words, fontsize=7.0, color=INK, zorder=4, ha="center", va="center", bbox=behind)
-
-
-def draw_player_disc(axes: Any, place: np.ndarray, size: float, words: str) -> None:
-    """Draw a player as a disc with its number."""
-    from matplotlib.patches import Circle
-
-    axes.add_patch(Circle(tuple(place), 0.5 * size, facecolor="#ffffff", edgecolor=INK, linewidth=1.0, zorder=5))
-    axes.text(*place, words, ha="center", va="center", fontsize=7.5, color=INK, zorder=6)
 
 
 def plot_shots(part: Any, axes: Sequence[Any], maps: Maps) -> None:

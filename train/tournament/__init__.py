@@ -24,10 +24,5 @@ if TYPE_CHECKING:
 
 __all__ = ["TournamentResult", "TournamentSettings", "tournament"]
 __getattr__, __dir__ = lazy_names(
-    __name__,
-    {
-        "TournamentResult": "soccer_env.train.tournament.results",
-        "TournamentSettings": "soccer_env.train.tournament.settings",
-        "tournament": "soccer_env.train.tournament.playing",
-    },
+    __name__, {"TournamentResult": "results", "TournamentSettings": "settings", "tournament": "playing"}
 )

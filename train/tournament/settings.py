@@ -98,7 +98,15 @@ class TournamentSettings(CommandSettings):
                 raise ValueError(
                     "give teams, with the added one last; or add alone, which no tournament with code takes"
                 )
-            self._check_names()
+            if len(self.names) < 2:
+                raise_not_allowed("teams", "two names or more with commas between them", self.teams)
+            if self.rounds is not None and self.system != SWISS:
+                raise ValueError(f"rounds goes with --system swiss, got {self.system}")
+            most = most_rounds(len(self.names))
+            if self.system == SWISS and self.swiss_rounds > most:
+                raise_not_allowed(
+                    "rounds", f"1 to {most} for {len(self.names)} teams, for no two teams meet twice", self.rounds
+                )
             return
         if self.out is None:
             raise ValueError(
@@ -107,18 +115,6 @@ class TournamentSettings(CommandSettings):
         others = [x.name for x in fields(self) if x.name not in FREE and getattr(self, x.name) != x.default]
         if others:
             raise ValueError(f"{others[0]} goes with teams alone: the tournament in {self.out} has its own settings")
-
-    def _check_names(self) -> None:
-        """Raise ValueError for fewer than two teams, a team named twice, or too many rounds."""
-        if len(self.names) < 2:
-            raise_not_allowed("teams", "two names or more with commas between them", self.teams)
-        if self.rounds is not None and self.system != SWISS:
-            raise ValueError(f"rounds goes with --system swiss, got {self.system}")
-        most = most_rounds(len(self.names))
-        if self.system == SWISS and self.swiss_rounds > most:
-            raise_not_allowed(
-                "rounds", f"1 to {most} for {len(self.names)} teams, for no two teams meet twice", self.rounds
-            )
 
     @property
     def names(self) -> tuple[str, ...]:

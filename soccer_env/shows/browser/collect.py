@@ -104,6 +104,12 @@ def place_row(match: Match, robots: np.ndarray | None = None) -> np.ndarray:
 def about(match: Match, replay: Replay) -> dict[str, Any]:
     """Return teams, league, field and robots; names come from a file, and the page shows them only as text."""
     league, robots = match.league, match.robots[0]
+    sensors = replay.settings["league"].get("sensors")  # the league of a replay has none
+    camera = camera_of(sensors)
+    on_head: dict[str, Any] = {"view": 0.0, "neck": 0.0, "focal": 1.0, "image": [0, 0]}  # [rad], [m], [px]
+    if camera is not None:
+        size = [camera.width, camera.height]
+        on_head = {"view": camera.view, "neck": camera.neck, "focal": camera.focal, "image": size}
     return {
         "version": version(),
         "recorded": one_line(replay.made_by)[:40],
@@ -116,7 +122,8 @@ def about(match: Match, replay: Replay) -> dict[str, Any]:
         "phases": {int(phase): words for phase, words in PHASES.items()} | {int(Phase.OVER): "final whistle"},
         "pitch": field_dimensions(league),
         "body": robot_outlines(league),
-        **camera_on_head(replay),
+        **on_head,
+        "directions": count_line_directions(sensors),
     }
 
 
@@ -128,20 +135,6 @@ def field_dimensions(league: League) -> dict[str, Any]:
         "goal_area_depth", "goal_area_width", "band_side", "band_end", "line",
     )  # fmt: skip
     return {name: getattr(pitch, name) for name in names} | {"ball": league.ball.radius}
-
-
-def camera_on_head(replay: Replay) -> dict[str, Any]:
-    """Return view angle [rad], neck [m] and picture [px] of a camera on a head; view 0 for omnidirectional cameras.
-
-    The league of a replay has no sensors: they are read from the settings.
-    """
-    sensors = replay.settings["league"].get("sensors")
-    camera = camera_of(sensors)
-    measures: dict[str, Any] = {"view": 0.0, "neck": 0.0, "focal": 1.0, "image": [0, 0]}
-    if camera is not None:
-        size = [camera.width, camera.height]
-        measures = {"view": camera.view, "neck": camera.neck, "focal": camera.focal, "image": size}
-    return {**measures, "directions": count_line_directions(sensors)}
 
 
 def robot_outlines(league: League) -> dict[str, Any]:

@@ -79,7 +79,12 @@ class EventCollector:
                 self._add(step, "half", NO_TEAM, NOBODY, words)
         if events["restart"] == Phase.PENALTY_KICK:
             self._shooter, self._called = int(events["restart_team"]), step
-        self._follow_flight(match, step)
+        trail = match.statistics["trail"][0]
+        r = int(trail["flight"])  # of the kick or push that sent the ball on its way, as the statistics count it
+        if r < 0:
+            self._flight = None
+        elif self._flight is None or r != self._flight.row or trail["flight_step"] == self._step:
+            self._flight, self._others = self._last_play(r, step), []
         self._goals = match.statistics["goals"][0].copy()
 
     def _listen_to_plays(self, match: Match, step: int) -> None:
@@ -95,15 +100,6 @@ class EventCollector:
             if last is None or step - last.step > KICKS_APART * self.rate:
                 robot = match.robots[0, r]
                 self._add(step, "kick", int(robot["team"]), r, f"{player_words(robot)} kicks")
-
-    def _follow_flight(self, match: Match, step: int) -> None:
-        """Note the kick or push that sent the ball on its way, as the statistics count it."""
-        trail = match.statistics["trail"][0]
-        r = int(trail["flight"])
-        if r < 0:
-            self._flight = None
-        elif self._flight is None or r != self._flight.row or trail["flight_step"] == self._step:
-            self._flight, self._others = self._last_play(r, step), []
 
     def _last_play(self, r: int, step: int) -> BallPlay:
         """Return the last play of the ball by a robot: a recent kick, else a touch."""

@@ -33,9 +33,13 @@ def ask_squad(match: Match, squad: Squad) -> np.ndarray:
     team: FunctionTeam = squad.team
     memory: np.ndarray = squad.memory.copy()
     plays = np.ones(match.count, bool) if squad.plays is None else squad.plays
-    initialise_memory(
-        memory, plays & (memory["begun"][:, 0] == 0), 0 if team.at_once else match.league.delay_steps, team
-    )
+    fresh = plays & (memory["begun"][:, 0] == 0)
+    if fresh.any():  # robots stand until their first decision
+        first = memory[fresh]
+        first["begun"] = 1
+        first["wait"] = -(0 if team.at_once else match.league.delay_steps) % team.action_repeat
+        first["action"][..., HEAD] = -1.0
+        memory[fresh] = first
     due = np.flatnonzero(plays & (memory["wait"][:, 0] == 0) & (match.matches["over"] == 0))
     if len(due):
         rows, kept = squad.players, memory[due]
@@ -68,16 +72,6 @@ def forbid_changes(match: Match, team: str) -> Iterator[None]:
     finally:
         for name in MOVES:
             del match.__dict__[name]
-
-
-def initialise_memory(memory: np.ndarray, fresh: np.ndarray, delay_steps: int, team: FunctionTeam) -> None:
-    """Initialise the memory (M, P) of new episodes, marked in `fresh` (M,): robots stand until the first decision."""
-    if fresh.any():
-        first = memory[fresh]
-        first["begun"] = 1
-        first["wait"] = -delay_steps % team.action_repeat
-        first["action"][..., HEAD] = -1.0
-        memory[fresh] = first
 
 
 def squad_observations(match: Match, squad: Squad, due: np.ndarray) -> np.ndarray:

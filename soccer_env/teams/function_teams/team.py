@@ -120,7 +120,8 @@ def team_of_function(
     """
     if not callable(function):
         raise_not_allowed("function", "a function of observations", function)
-    check_observe(observe)
+    if not (callable(observe) and (hasattr(observe, "names") or hasattr(observe, "entries"))):
+        check_choice("observe", observe, OBSERVE)
     called = getattr(function, "__name__", type(function).__name__) if name is None else name
     repeat = check_whole_number("action_repeat", action_repeat, 1, MOST)
     team = FunctionTeam(
@@ -148,12 +149,6 @@ def check_arguments(function: Callable[..., Any], remembers: bool) -> None:
 def observation_class_name(observe: Observation) -> str:
     """Return the class name of a user's observation object."""
     return type(observe).__qualname__
-
-
-def check_observe(observe: Any) -> None:
-    """Raise ValueError unless `observe` names observations, or is an object with names to call with a match."""
-    if not (callable(observe) and (hasattr(observe, "names") or hasattr(observe, "entries"))):
-        check_choice("observe", observe, OBSERVE)
 
 
 def check_text(what: str, text: Any, least: int) -> str:

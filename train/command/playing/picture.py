@@ -14,7 +14,6 @@ from soccer_env.render.overlays.flags import OverlayFlags
 from soccer_env.render.overlays.layers import LayerInput, make_overlays
 from soccer_env.render.overlays.roles import selection_ring
 from soccer_env.render.overlays.shapes import Overlay
-from soccer_env.thoughts.thought import Thought
 
 FOG = 130  # of 255, for the eye
 RING = 2.0  # [1] width of the ring round the person's robot, of that of other rings
@@ -37,20 +36,15 @@ def draw_belief(
     row = cast.agents.index(agent)
     thought = cast.thought(shot, row)
     assert thought is not None, "robots of a person have beliefs"
-    believed = believed_shot(shot, row, thought)
-    overlays = make_overlays(OverlayFlags(belief=True, sight=True, robot=agent), cast, believed, (), picture.width)
-    return picture.draw(*believed[:3], title=teams, overlays=[fog(cast.league.pitch), *overlays, *panels])
-
-
-def believed_shot(shot: Snapshot, row: int, thought: Thought) -> Snapshot:
-    """Return a shot with robot `row` and the ball where the robot believes them to be, and no other robot in sight."""
     ball, robots = shot.ball.copy(), shot.robots.copy()
     others = np.arange(len(robots)) != row
     robots["x"][others], robots["has_ball"][others] = OUT_OF_SIGHT, 0
     robots["x"][row], robots["y"][row], robots["heading"][row] = thought.pose
     ball["x"], ball["y"] = (OUT_OF_SIGHT, 0.0) if thought.ball is None else thought.ball
     ball["vx"] = ball["vy"] = 0.0
-    return Snapshot(shot.match, ball, robots, shot.note)
+    believed = Snapshot(shot.match, ball, robots, shot.note)
+    overlays = make_overlays(OverlayFlags(belief=True, sight=True, robot=agent), cast, believed, (), picture.width)
+    return picture.draw(*believed[:3], title=teams, overlays=[fog(cast.league.pitch), *overlays, *panels])
 
 
 def fog(pitch: Pitch) -> Overlay:

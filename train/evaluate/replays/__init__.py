@@ -21,11 +21,5 @@ if TYPE_CHECKING:
 
 __all__ = ["Keep", "Kept", "keep_replays", "kept_in"]
 __getattr__, __dir__ = lazy_names(
-    __name__,
-    {
-        "Keep": "soccer_env.train.evaluate.replays.choice",
-        "Kept": "soccer_env.train.evaluate.replays.keep",
-        "keep_replays": "soccer_env.train.evaluate.replays.keep",
-        "kept_in": "soccer_env.train.evaluate.replays.keep",
-    },
+    __name__, {"Keep": "choice", "Kept": "keep", "keep_replays": "keep", "kept_in": "keep"}
 )

@@ -30,7 +30,11 @@ def make_pictures(out: Path = FOLDER) -> None:
     save_png(ruling_frame(rules_legged.RULINGS[0], WIDTH), out / "ruling.png")
     save_png(many_matches(), out / "many.png")
     write_drills(out)
-    write_moments(out)
+    with TemporaryDirectory() as folder:
+        for moment in MOMENTS:
+            file = Path(folder, f"{moment.name}.replay")
+            record(RecordSettings(**moment.recorded, out=file))
+            export(ExportSettings(file=file, out=out / moment.name, anew=True, **moment.shown))
 
 
 def many_matches() -> np.ndarray:
@@ -41,15 +45,6 @@ def many_matches() -> np.ndarray:
     picture = Picture(match.league, LEAST_WIDTH)
     frames = [picture.draw(*each)[picture.header_height :] for each in zip(match.matches, match.balls, match.robots)]
     return contact_sheet(frames, 4)
-
-
-def write_moments(out: Path) -> None:
-    """Write every picture and film of the gallery into a folder, over existing files."""
-    with TemporaryDirectory() as folder:
-        for moment in MOMENTS:
-            file = Path(folder, f"{moment.name}.replay")
-            record(RecordSettings(**moment.recorded, out=file))
-            export(ExportSettings(file=file, out=out / moment.name, anew=True, **moment.shown))
 
 
 if __name__ == "__main__":

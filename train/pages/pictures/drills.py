@@ -31,15 +31,10 @@ def drill_frame(league: str, scene: Scene) -> np.ndarray:
     return add_words(frame, [scene.name, *wrap(scene.description, LINE)], LINES)
 
 
-def drills_sheet(league: str) -> np.ndarray:
-    """Return the sheet of all drills of a league, (H, W, 3) uint8."""
-    return contact_sheet([drill_frame(league, scene) for scene in drills_of(league)], COLUMNS)
-
-
 def write_drills(out: Path = FOLDER) -> None:
     """Write the sheet of each league into a folder."""
     for name, league in LEAGUES.items():
-        save_png(drills_sheet(league), out / name)
+        save_png(contact_sheet([drill_frame(league, scene) for scene in drills_of(league)], COLUMNS), out / name)
 
 
 if __name__ == "__main__":

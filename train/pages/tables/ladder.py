@@ -8,7 +8,7 @@ from typing import Any
 
 from soccer_env.train.evaluate.report import table
 from soccer_env.train.pages.tables.teams import row_of
-from soccer_env.train.tournament import TournamentResult, TournamentSettings, tournament
+from soccer_env.train.tournament import TournamentSettings, tournament
 from soccer_env.train.tournament.report import HEAD, standing_rows
 from soccer_env.train.tournament.settings import command_of
 from soccer_env.train.written_settings import with_ray
@@ -22,33 +22,20 @@ TEAMS = {  # none of the past selves of the learned teams is shipped
 FOLDER = Path("runs/ladder")
 
 
-def ladder_settings(league: str) -> TournamentSettings:
-    """Return the settings of a league's ladder."""
-    return TournamentSettings(
-        teams=",".join(TEAMS[league]), league=league, players=3, minutes=4.0, matches=40, seed=1, threads=2,
-        pose="particles", out=FOLDER / league,
-    )  # fmt: skip
-
-
 def measure_ladder(ray: str | None = None) -> dict[str, Any]:
     """Play the ladder of each league, perhaps on a Ray cluster; `rows` has a pairing of each, for the check."""
     leagues, rows = [], []
     for league in TEAMS:
-        settings = ladder_settings(league)
+        settings = TournamentSettings(
+            teams=",".join(TEAMS[league]), league=league, players=3, minutes=4.0, matches=40, seed=1, threads=2,
+            pose="particles", out=FOLDER / league,
+        )  # fmt: skip
         result = tournament(with_ray(settings, ray))
-        leagues.append(ladder_of(settings, result))
+        standings = [list(row) for row in standing_rows(result)]
+        shown = {"league": league, "command": command_of(settings), "matches": settings.matches}
+        leagues.append({**shown, "standings": standings})
         rows.append(row_of(settings.pairing(0, 1), result.pairings[0].result))
     return {"leagues": leagues, "rows": rows}
-
-
-def ladder_of(settings: TournamentSettings, result: TournamentResult) -> dict[str, Any]:
-    """Return what the table shows of a tournament."""
-    return {
-        "league": settings.league,
-        "command": command_of(settings),
-        "matches": settings.matches,
-        "standings": [list(row) for row in standing_rows(result)],
-    }
 
 
 def ladder_table(measured: dict[str, Any]) -> str:

@@ -59,16 +59,8 @@ from soccer_env.types import WORLD
 
 DATA = Path(__file__).with_name("tables.json")
 ROOT = Path(__file__).resolve().parents[3]
-PLAYED = (
-    "ladder",
-    "scripted",
-    "sacks",
-    "heinemann",
-    "learned",
-    "learned_2006",
-    "plausibility",
-    "robustness",
-)  # tables whose rows are matches
+# tables whose rows are matches
+PLAYED = ("ladder", "scripted", "sacks", "heinemann", "learned", "learned_2006", "plausibility", "robustness")
 SLOWER = 2.0  # factor by which a ratio may grow before the check fails; machines are noisy
 
 

@@ -18,22 +18,11 @@ from typing import Any
 from soccer_env.guards.whole_files import write_atomically
 from soccer_env.train.command.parsing import fill_flag, take_out_flag
 from soccer_env.train.files import read_lines
+from soccer_env.train.papers import results
 from soccer_env.train.papers.claim import Claim
 from soccer_env.train.papers.claims import all_claims
 from soccer_env.train.papers.report import estimate_with_interval
 from soccer_env.train.papers.reproduction import reproduce
-from soccer_env.train.papers.results import (
-    FILE,
-    HASHES,
-    KEPT,
-    ClaimResult,
-    Measured,
-    measured_where,
-    plot_name,
-    read_json,
-    read_stored,
-    restore_result,
-)
 from soccer_env.train.papers.settings import ReproduceSettings
 from soccer_env.train.papers.verdicts import NOT, VERDICTS
 from soccer_env.train.provenance import play_facts
@@ -67,7 +56,7 @@ class PaperPage:
 
     def stored(self) -> dict[str, dict[str, Any]]:
         """Return the contents of claims.json."""
-        return read_stored(self.folder)
+        return results.read_stored(self.folder)
 
     def measure(self, ray: str | None = None) -> Path:
         """Measure every claim, perhaps on a Ray cluster, resuming an earlier call; return the folder of the run."""
@@ -81,32 +70,32 @@ class PaperPage:
         Pictures for the page and figures for the site are taken over, too; those of other claims stay as they are.
         """
         about = read_settings(run / SETTINGS).get("about", {})
-        names = [field.name for field in fields(ClaimResult)]
+        names = [field.name for field in fields(results.ClaimResult)]
         records = read_lines(run / "claims.jsonl")
-        results = [ClaimResult(**{name: record[name] for name in names}) for record in records]
-        claims = {result.id: claim_entry(result, about) for result in results if result.id in self.claims}
+        taken = [results.ClaimResult(**{name: record[name] for name in names}) for record in records]
+        claims = {result.id: claim_entry(result, about) for result in taken if result.id in self.claims}
         if not claims:
             raise ValueError(f"{run} holds no claim of {self.paper}")
-        figures = {result.id: shorten(result.figures) for result in results if result.id in self.claims}
+        figures = {result.id: shorten(result.figures) for result in taken if result.id in self.claims}
         write_figures(self.drawn, figures)
         for claim, number in self.pictures.items():
-            drawn = run / plot_name(claim, number)
+            drawn = run / results.plot_name(claim, number)
             if drawn.exists():
                 write_atomically(SHOWN / f"claim-{claim}.png", drawn.read_bytes())
         return claims
 
-    def with_tables(self, readme: str, measured: Measured) -> str:
+    def with_tables(self, readme: str, measured: results.Measured) -> str:
         """Return the README with its tables between their markers."""
         tables = {"claims": claims_table(measured, self.claims), **{name: show() for name, show in self.tables.items()}}
         for name, table in tables.items():
             readme = replace_between_markers(readme, name, table)
         return readme
 
-    def write(self, measured: Measured) -> None:
+    def write(self, measured: results.Measured) -> None:
         """Write claims.json and README.md."""
         ordered = {name: measured[name] for name in self.claims if name in measured}
         readme = self.folder / "README.md"
-        write_atomically(self.folder / FILE, json.dumps(ordered, indent=1) + "\n")
+        write_atomically(self.folder / results.FILE, json.dumps(ordered, indent=1) + "\n")
         write_atomically(readme, self.with_tables(readme.read_text(encoding="utf-8"), ordered))
 
     def main(self, words: Sequence[str]) -> int:
@@ -129,7 +118,7 @@ class PaperPage:
 
 def write_figures(path: Path, taken: Mapping[str, Any]) -> None:
     """Add the figures of claims to a file, a line for each claim."""
-    figures = read_json(path) | {claim: figure for claim, figure in taken.items() if figure}
+    figures = results.read_json(path) | {claim: figure for claim, figure in taken.items() if figure}
     lines = [f"{json.dumps(claim)}: {json.dumps(figures[claim])}" for claim in sorted(figures)]
     write_atomically(path, "{\n" + ",\n".join(lines) + "\n}\n")
 
@@ -143,10 +132,10 @@ def shorten(plain: Any) -> Any:
     return float(f"{plain:.{DIGITS}g}") if isinstance(plain, float) else plain
 
 
-def claim_entry(result: ClaimResult, about: Mapping[str, str]) -> dict[str, Any]:
+def claim_entry(result: results.ClaimResult, about: Mapping[str, str]) -> dict[str, Any]:
     """Return the entry of claims.json for the result of a claim, with the date and commit of the run."""
     return {
-        **{name: getattr(result, name) for name in (*KEPT, *HASHES)},
+        **{name: getattr(result, name) for name in (*results.KEPT, *results.HASHES)},
         "findings": [finding_entry(one) for one in result.findings],
         "without_findings": [finding_entry(one) for one in result.without_findings],
         "about": {name: about[name] for name in ("date", "commit", *play_facts()) if name in about},
@@ -159,7 +148,7 @@ def finding_entry(finding: Mapping[str, Any]) -> dict[str, Any]:
     return kept | {"shown": estimate_with_interval(dict(finding))}
 
 
-def claims_table(measured: Measured, claims: Sequence[str]) -> str:
+def claims_table(measured: results.Measured, claims: Sequence[str]) -> str:
     """Return a table of every claim of a paper in Markdown; claims without a result are shown as not measured."""
     known = all_claims()
     lines = [
@@ -170,12 +159,14 @@ def claims_table(measured: Measured, claims: Sequence[str]) -> str:
         cells = claim_cells(known[name], measured[name]) if name in measured else ("", NOT_MEASURED, "")
         row = " | ".join((name, known[name].statement, *cells))
         lines.append(f"| {row} |")
-    return "\n".join([verdict_counts(measured, claims), "", *lines, "", measurement_sources(measured)])
+    runs = "; ".join(sorted({results.measured_where(row) for row in measured.values()}))
+    sources = f"Measured {runs}. The present world is {WORLD}." if runs else ""
+    return "\n".join([verdict_counts(measured, claims), "", *lines, "", sources])
 
 
 def claim_cells(claim: Claim, row: Mapping[str, Any]) -> tuple[str, str, str]:
     """Return the cells of a claim: the number that decides the claim, the verdict, and the meaning of that number."""
-    result = restore_result(claim, row)
+    result = results.restore_result(claim, row)
     finding = next(one for one in result.findings if one["criterion"] == result.criterion)
     verdict = f"**{result.marked_verdict}**" if result.verdict == NOT else result.marked_verdict
     return estimate_with_interval(finding), verdict, f"{finding['criterion']}{bound_in_signs(finding['asked'])}"
@@ -188,7 +179,7 @@ def bound_in_signs(bound: str) -> str:
     return f" [{bound}]" if bound else ""
 
 
-def verdict_counts(measured: Measured, claims: Sequence[str]) -> str:
+def verdict_counts(measured: results.Measured, claims: Sequence[str]) -> str:
     """Return the number of claims with each verdict, in words."""
     counts = Counter(row["verdict"] for row in measured.values())
     parts = [f"{counts[verdict]} {verdict}" for verdict in VERDICTS if counts[verdict]]
@@ -196,12 +187,6 @@ def verdict_counts(measured: Measured, claims: Sequence[str]) -> str:
     quick = sum(row["quick"] for row in measured.values())
     few = f" {quick} of them from few samples, marked (quick)." if quick else ""
     return f"{len(claims)} claims: {', '.join([*parts, *([f'{missing} {NOT_MEASURED}'] if missing else [])])}.{few}"
-
-
-def measurement_sources(measured: Measured) -> str:
-    """Return the dates, commits and worlds of the measurements, in words."""
-    runs = {measured_where(row) for row in measured.values()}
-    return f"Measured {'; '.join(sorted(runs))}. The present world is {WORLD}." if runs else ""
 
 
 def replace_between_markers(text: str, name: str, table: str) -> str:

@@ -7,9 +7,9 @@ import sys
 from math import pi
 from pathlib import Path
 from textwrap import wrap
-from typing import Any
 
 from soccer_env.baselines.sacks_2001.settings import SacksSettings
+from soccer_env.guards.checking import is_number
 from soccer_env.train.evaluate.report import plain_number
 from soccer_env.train.pages.tables.paper_page import PaperPage
 from soccer_env.train.papers.claim import SACKS
@@ -23,7 +23,7 @@ def constants_text() -> str:
     rows = list(SacksSettings().rows())
     assumed = [name for name, _, _, note in rows if "assumed" in note or "ours" in note]
     numbers = [row for row in rows if is_number(row[1]) and row[0] != "strength" and row[0] not in assumed]
-    words = ", ".join(f"`{name}` {setting_in_words(value, unit_of(note))}" for name, value, _, note in numbers)
+    words = ", ".join(f"`{name}` {setting_in_words(value, note)}" for name, value, _, note in numbers)
     rest = len(rows) - len(numbers) - len(assumed) - 1
     text = (
         f"Of {len(rows)} settings, {len(numbers)} are numbers of the paper: {words}. {rest} are rules of the paper "
@@ -33,24 +33,12 @@ def constants_text() -> str:
     return "\n".join(wrap(text, WIDTH))
 
 
-def is_number(value: Any) -> bool:
-    """Tell whether a setting is a number, not a switch or a choice."""
-    return isinstance(value, (int, float)) and not isinstance(value, bool)
-
-
-def unit_of(note: str) -> str:
-    """Return the unit with which the note of a setting begins, with its bracket: "[m" for "[m] ..."."""
-    return note.partition("] ")[0] if note.startswith("[") else ""
-
-
-def setting_in_words(value: Any, unit: str) -> str:
-    """Return a setting's value with its unit, an angle also in degrees."""
-    if isinstance(value, bool) or not isinstance(value, (int, float)):
-        return str(value)
-    number = plain_number(float(value), 3)
-    if unit == "[rad":
+def setting_in_words(value: float, note: str) -> str:
+    """Return a setting's value with its unit, with which its note begins, an angle also in degrees."""
+    number, unit = plain_number(float(value), 3), note[1:].partition("] ")[0] if note.startswith("[") else ""
+    if unit == "rad":
         return f"{number} rad ({value * 180.0 / pi:.0f} degrees)"
-    return f"{number} {unit[1:]}" if unit not in ("", "[1") else number
+    return f"{number} {unit}" if unit not in ("", "1") else number
 
 
 PAGE = PaperPage(

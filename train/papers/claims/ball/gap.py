@@ -1,14 +1,13 @@
 """Velocities after a time without sight of the ball.  [Sacks 2001, 3.2]"""
 
 from collections.abc import Callable
-from functools import partial
 
 import numpy as np
 
 from soccer_env.match import Match
 from soccer_env.train.papers.claim import Batch, claim
 from soccer_env.train.papers.claims.ball.velocity import true_radial
-from soccer_env.train.papers.plots import plot
+from soccer_env.train.papers.plots import each, plot
 from soccer_env.train.papers.staging import begin_scene, distance_to_ball, play, put, put_ball, stage, still_actions
 from soccer_env.train.papers.true_sight import blind_cameras, follow_ball, restore_cameras, stare_at_ball
 from soccer_env.train.papers.values import bin_masks, middles_of
@@ -130,21 +129,17 @@ def compare_velocity_gate(batch: Batch) -> Samples:
     return samples
 
 
-def error_in_bins(samples: Samples, name: str, first: int, last: int) -> float:
-    """Return the rms error [cm/s] of radial velocities read after gaps in the bins `first` to `last` - 1."""
+def error_in_bins(samples: Samples, name: str, first: int, last: int | None = None) -> float:
+    """Return the rms error [cm/s] of radial velocities read after gaps in the bin `first`, or up to `last` - 1."""
+    last = first + 1 if last is None else last
     readings = samples[f"readings {name}"][:, first:last].sum()
     squares = samples[f"squares {name}"][:, first:last].sum()
     return float(100 * np.sqrt(squares / readings)) if readings else float("nan")
 
 
-def error_by_gap(samples: Samples, name: str) -> list[float]:
-    """Return the rms error [cm/s] of the radial velocity in each bin of the gap."""
-    return [error_in_bins(samples, name, i, i + 1) for i in range(len(BINS) - 1)]
-
-
 def long_gap_error_ratio(samples: Samples, name: str) -> float:
     """Return the rms error after gaps longer than LIMIT divided by the rms error without a gap."""
-    return error_in_bins(samples, name, BINS.index(LIMIT), len(BINS)) / error_in_bins(samples, name, 0, 1)
+    return error_in_bins(samples, name, BINS.index(LIMIT), len(BINS)) / error_in_bins(samples, name, 0)
 
 
 S19 = claim(
@@ -159,7 +154,7 @@ S19 = claim(
     measured("with the rule: error after long gaps over that without", long_gap_error_ratio, "kicked on", at_most=1.25),
     measure=compare_velocity_gate,
     figures=plot("Radial velocity after a gap in sight", "gap [s]", "rms error [cm/s]", GAPS,
-                 {title: partial(error_by_gap, name=name)
+                 {title: each(range(len(BINS) - 1), error_in_bins, name)
                   for name, title in {"kicked on": "rule on", "kicked off": "rule off", "play on": "in play, rule on",
                                       "play off": "in play, rule off"}.items()}),
     batches=24, seconds=1.5,

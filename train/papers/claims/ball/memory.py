@@ -6,17 +6,9 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match import Match
+from soccer_env.train.papers import staging
 from soccer_env.train.papers.claim import Ablation, Batch, claim, compare
 from soccer_env.train.papers.plots import plot
-from soccer_env.train.papers.staging import (
-    OPEN_FLOOR,
-    distance_to_ball,
-    play,
-    put_ball,
-    stage_ball,
-    still_actions,
-    wrap_angle,
-)
 from soccer_env.train.papers.true_sight import blind_cameras, look_first, stare_at_ball
 from soccer_env.train.papers.values import bin_masks, least_rise, median, middles_of, ratio
 from soccer_env.train.papers.verdicts import Samples, measured, reported
@@ -36,10 +28,10 @@ DRIBBLE, PUSHED = 0.07, 5.0  # [m/s] 3.5 cm per half-second step, [s]: S14
 
 def ball_errors(match: Match) -> Samples:
     """Return the errors of the believed ball (M,): of its place and range [m], and of its bearing [degrees]."""
-    (true, bearing), ball = distance_to_ball(match), match.beliefs["ball"][:, 0]
+    (true, bearing), ball = staging.distance_to_ball(match), match.beliefs["ball"][:, 0]
     x = ball["distance"] * np.cos(ball["bearing"]) - true * np.cos(bearing)
     y = ball["distance"] * np.sin(ball["bearing"]) - true * np.sin(bearing)
-    off = np.degrees(np.abs(wrap_angle(ball["bearing"] - bearing)))
+    off = np.degrees(np.abs(staging.wrap_angle(ball["bearing"] - bearing)))
     return {"place": np.hypot(x, y), "range": np.abs(ball["distance"] - true), "bearing": off}
 
 
@@ -49,7 +41,7 @@ def look_at_ball(batch: Batch, **memory: Any) -> Match:
     pose = rng.uniform(-0.9, -0.6, MATCHES), rng.uniform(-0.1, 0.1, MATCHES), rng.uniform(-0.2, 0.2, MATCHES)
     side, distance = rng.choice([-1.0, 1.0], MATCHES), rng.uniform(0.5, 0.9, MATCHES)
     bearing = side * rng.uniform(0.6, 1.2, MATCHES)
-    match = stage_ball(batch, *pose, distance, bearing, league=OPEN_FLOOR, memory=memory)
+    match = staging.stage_ball(batch, *pose, distance, bearing, league=staging.OPEN_FLOOR, memory=memory)
     look_first(match, SEEN)
     return match
 
@@ -58,17 +50,12 @@ def walk_blind(batch: Batch, odometry: str) -> Iterator[Match]:
     """Walk 1 m blind, on an arc of up to 90 degrees away from the ball; yield the matches after every step."""
     match = look_at_ball(batch, odometry=odometry)
     blind_cameras(match)
-    seconds, actions = WAY / SPEED, still_actions(match)
-    away = -np.sign(distance_to_ball(match)[1])
+    seconds, actions = WAY / SPEED, staging.still_actions(match)
+    away = -np.sign(staging.distance_to_ball(match)[1])
     actions[:, 0, 0] = 1.0
     actions[:, 0, 2] = away * batch.rng(1).uniform(0.0, 0.5 * np.pi, MATCHES) / seconds / TURN
-    yield from (match for _ in play(match, seconds, actions))
+    yield from (match for _ in staging.play(match, seconds, actions))
     match.close()
-
-
-def compare_memories(batch: Batch) -> Samples:
-    """Return the errors of the remembered ball (M,) at the end of blind walks, for each of VARIANTS."""
-    return compare({name: name for name in VARIANTS}, lambda memory: ball_errors([*walk_blind(batch, memory)][-1]))
 
 
 def roll_balls(batch: Batch, seen: bool) -> Samples:
@@ -80,12 +67,12 @@ def roll_balls(batch: Batch, seen: bool) -> Samples:
     speed, course = rng.uniform(0.0, FASTEST, MATCHES), rng.uniform(-np.pi, np.pi, MATCHES)
     speed[: MATCHES // 6] = 0.0
     x, y = match.balls["x"].copy(), match.balls["y"].copy()
-    put_ball(match, x, y, speed * np.cos(course), speed * np.sin(course))
-    actions = still_actions(match)
+    staging.put_ball(match, x, y, speed * np.cos(course), speed * np.sin(course))
+    actions = staging.still_actions(match)
     actions[:, 0, 0] = 1.0
     ways, errors = [], []
     for before, time in zip((0.0, *TIMES), TIMES, strict=False):
-        for _ in play(match, time - before, actions):
+        for _ in staging.play(match, time - before, actions):
             if seen:
                 stare_at_ball(match, actions)
         ways.append(np.hypot(match.balls["x"] - x, match.balls["y"] - y))
@@ -103,12 +90,12 @@ def dribble_unseen_ball(batch: Batch, update: bool, turn: float) -> np.ndarray:
     """Dribble an unseen ball with turn action `turn` in [-1, 1]; return the error of its remembered place (M,) [m]."""
     rng = batch.rng()
     pose = rng.uniform(-0.9, -0.7, MATCHES), rng.uniform(-0.3, 0.3, MATCHES), rng.uniform(-0.3, 0.3, MATCHES)
-    match = stage_ball(batch, *pose, np.full(MATCHES, POCKET), 0.0, memory={"odometry_while_dribbling": update})
+    match = staging.stage_ball(batch, *pose, np.full(MATCHES, POCKET), 0.0, memory={"odometry_while_dribbling": update})
     look_first(match, SEEN)
     blind_cameras(match)
-    actions = still_actions(match)
+    actions = staging.still_actions(match)
     actions[:, 0, 0], actions[:, 0, 2] = DRIBBLE / SPEED, turn
-    for _ in play(match, PUSHED, actions):
+    for _ in staging.play(match, PUSHED, actions):
         pass
     match.close()
     return ball_errors(match)["place"]
@@ -129,7 +116,9 @@ S12 = claim(
              at_least=3.0),
     reported("no update: median error of the place", "place none", of=median, unit="cm"),
 
-    measure=compare_memories, seconds=1.5,
+    measure=lambda batch: compare(dict(zip(VARIANTS, VARIANTS, strict=True)),
+                                  lambda memory: ball_errors([*walk_blind(batch, memory)][-1])),
+    seconds=1.5,
     ingredients=("sensors.odometry_noise", "drive.slip", "memory.odometry"),
 )  # fmt: skip
 

@@ -150,15 +150,11 @@ def bias_by_share(samples: Samples) -> list[float]:
     return [100 * median(both[(gone >= low if low else gone < high) & (gone < high)]) for low, high in edges]
 
 
-def count_hidden_dimensions(samples: Samples) -> np.ndarray:
-    """Return in how many dimensions, width and height, each ball is partly hidden (M,): 0, 1 or 2; NaN: unknown."""
-    width, height = samples["width left"], samples["height left"]
-    return np.where(np.isfinite(width), (width < CUT).astype(float) + (height < CUT), np.nan)
-
-
 def bias_of_hidden_balls(samples: Samples, dimensions: int, size: str = "closer") -> float:
-    """Return the median range error [%] of balls that are partly hidden in `dimensions` dimensions."""
-    return 100 * median(samples[size][count_hidden_dimensions(samples) == dimensions])
+    """Return the median range error [%] of balls that are partly hidden in `dimensions` of width and height."""
+    width, height = samples["width left"], samples["height left"]
+    hidden = np.where(np.isfinite(width), (width < CUT).astype(float) + (height < CUT), np.nan)
+    return 100 * median(samples[size][hidden == dimensions])
 
 
 hidden_figure = plot_bins(

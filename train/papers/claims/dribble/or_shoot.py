@@ -9,6 +9,7 @@ from soccer_env.match.staging import send_off
 from soccer_env.train.papers.claim import PLAYED, Batch, claim, compare
 from soccer_env.train.papers.dribble_runs import start_drill
 from soccer_env.train.papers.plots import plot_shares
+from soccer_env.train.papers.values import gain
 from soccer_env.train.papers.verdicts import Samples, measured
 from soccer_env.types import AWAY, HOME
 
@@ -16,6 +17,7 @@ MATCHES, SECONDS = 24, 60.0  # [s] of a run, until the first goal of either side
 SCENE = "dribble-past-three"  # three standing players on the way to the goal
 STRATEGIES: dict[str, dict[str, Any]] = {"dribble": {}, "orbit and shoot": {"avoidance": False}}
 BLOCKERS = {"": "chaser", " still": "still", " alone": None}  # suffix of the samples: team; None: no blockers
+PLAN = {f"{name}{where}": (how, team) for name, how in STRATEGIES.items() for where, team in BLOCKERS.items()}
 
 
 def play_to_goal(batch: Batch, settings: dict[str, Any], blockers: str | None) -> Samples:
@@ -47,18 +49,6 @@ def play_to_goal(batch: Batch, settings: dict[str, Any], blockers: str | None) -
     return {"goals": goals, "against": against, "progress": progress, "ended": ended}
 
 
-def compare_strategies(batch: Batch) -> Samples:
-    """Return goals, goals against, progress and end times of both strategies by kind of blockers."""
-    plan = {f"{name}{where}": (how, team) for name, how in STRATEGIES.items() for where, team in BLOCKERS.items()}
-    return compare(plan, lambda how: play_to_goal(batch, *how))
-
-
-def dribbling_advantage(samples: Samples) -> float:
-    """Return the goals in a hundred runs when dribbling minus the goals when orbiting and shooting."""
-    new, old = (samples[f"goals {name}"].mean() for name in STRATEGIES)
-    return 100.0 * float(new - old)
-
-
 def goal_times(samples: Samples, name: str) -> np.ndarray:
     """Return the times of the goals [s] of a strategy, such as "dribble still", infinite for runs without one."""
     return np.where(samples[f"goals {name}"] > 0.0, samples[f"ended {name}"], np.inf)
@@ -70,9 +60,9 @@ S31 = claim(
     f"go for the ball as the team chaser does; goals within {SECONDS:g} s, until the first of either side, by "
     "sacks-2001, which dribbles round who is in its way and shoots where nobody is, against orbit and shoot "
     "(avoidance=False: from anywhere, whoever stands there). Beside it against three who stand, and with nobody there.",
-    measured("goals, dribbling less orbit and shoot, blockers after the ball", dribbling_advantage,
-             unit="%", above=0.0),
-    rules=PLAYED, measure=compare_strategies,
+    measured("goals, dribbling less orbit and shoot, blockers after the ball", gain,
+             *(f"goals {name}" for name in STRATEGIES), unit="%", above=0.0),
+    rules=PLAYED, measure=lambda batch: compare(PLAN, lambda how: play_to_goal(batch, *how)),
     figures=plot_shares("Goals of one robot with the ball", "time [s]", "runs with a goal [%]",
                         np.arange(0.0, SECONDS + 1.0, 5.0),
                         {f"{name}, {text}": partial(goal_times, name=f"{name}{where}") for name in STRATEGIES

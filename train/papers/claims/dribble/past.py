@@ -72,26 +72,18 @@ S62 = claim(
 
 # A moving player
 
-
-def drill_columns(index: int, most: float = 1.0) -> list[int]:
-    """Return the column indices of one drill of MOVING, at speeds up to `most` [m/s]."""
-    return [index * len(SPEEDS) + i for i, speed in enumerate(SPEEDS) if speed <= most]
-
-
-def speed_columns(*speeds: float) -> list[int]:
-    """Return the column indices of the given speeds [m/s], in all drills of MOVING."""
-    return [i for i in range(len(MOVING) * len(SPEEDS)) if SPEEDS[i % len(SPEEDS)] in speeds]
-
+RUNS = [(scene, speed) for scene in MOVING for speed in SPEEDS]
 
 S63 = claim(
     "S63", "4.3.4", "One moving player is avoided well too, near or far at the start, even head-on.",
     f"{FEWER} runs a batch in each of {', '.join(MOVING)}, the mover at 3, 6, 9 and 12 cm/s. Up to 6 cm/s "
     f"decides; the paper gives no speed, and a dribbler makes 7. {RULES}",
-    measured("clean, at 3 and 6 cm/s", "clean", speed_columns(0.03, 0.06), unit="%", at_least=80.0),
-    measure=lambda batch: play_all(batch, [(scene, {}, speed) for scene in MOVING for speed in SPEEDS], FEWER),
+    measured("clean, at 3 and 6 cm/s", "clean", [i for i, (_, speed) in enumerate(RUNS) if speed <= SLOW],
+             unit="%", at_least=80.0),
+    measure=lambda batch: play_all(batch, [(scene, {}, speed) for scene, speed in RUNS], FEWER),
     figures=plot("Dribbling past one mover", "its speed [cm/s]", "clean runs [%]", [100 * speed for speed in SPEEDS],
-                 {scene.removeprefix("dribble-past-"): columns(part("clean", ..., drill_columns(i)))
-                  for i, scene in enumerate(MOVING)}, rules=(80.0,)),
+                 {scene.removeprefix("dribble-past-"): columns(part("clean", ..., slice(i, i + len(SPEEDS))))
+                  for i, scene in zip(range(0, len(RUNS), len(SPEEDS)), MOVING, strict=True)}, rules=(80.0,)),
     batches=8, seconds=6.0,
     ingredients=("the walker goes straight on and never gives way", "bodies with paws, not points"),
     note=BODIES + "A dribbler at 7 cm/s cannot get a body's width aside of one that comes as fast; that the paper's "

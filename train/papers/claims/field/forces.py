@@ -10,7 +10,7 @@ from soccer_env.baselines.sacks_2001.settings import SacksSettings
 from soccer_env.train.papers.claim import NO_MATCH, Ablation, Batch, Curve, Figure, claim
 from soccer_env.train.papers.claims.field import points
 from soccer_env.train.papers.claims.field.point_world import players
-from soccer_env.train.papers.claims.field.points import FIELD, ROBOTS, SCENES, TOUCH, UNIT
+from soccer_env.train.papers.claims.field.points import FIELD, GOAL_X, ROBOTS, SCENES, TOUCH, UNIT
 from soccer_env.train.papers.plots import columns
 from soccer_env.train.papers.values import least_fall, least_rise, mean, median, reduction
 from soccer_env.train.papers.verdicts import Samples, measured, reported
@@ -20,7 +20,6 @@ FEW_MORE = 2.0  # [pp] more collisions with the factor that still count as no ex
 REACTS = np.radians(5.0)  # [rad] off the goal's direction at which a robot has begun to go round a player, assumed
 DEGREES = 180.0 / np.pi
 NEAR_GOAL, FAR_GOAL = 0.8, 2.5  # [m]
-GOAL_X = 1.6  # [m] x of a dribbler's destination
 
 
 def compare_exponents(batch: Batch) -> Samples:

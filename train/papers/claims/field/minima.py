@@ -23,12 +23,6 @@ DECISIONS: dict[str, dict[str, Any]] = {"all rules": {}, "decisive": {"decisive"
 LIMITS: dict[str, dict[str, Any]] = {"off": NO_LIMIT, "on": {}}
 
 
-def player_right_ahead(rng: np.random.Generator) -> np.ndarray:
-    """Return one standing player (M, 1) between the dribbler's start, on the middle line, and the goal."""
-    place = np.stack([rng.uniform(-0.3, 0.3, SCENES), rng.uniform(-STRAIGHT, STRAIGHT, SCENES)], axis=-1)
-    return players(place[:, None])
-
-
 def compare_angle_limits(batch: Batch) -> Samples:
     """Return stalls and retreats (M,) of points and of robots, in head-on and gap scenes, with the limits off and on.
 
@@ -36,7 +30,8 @@ def compare_angle_limits(batch: Batch) -> Samples:
     """
     rng, samples = batch.rng(), {}
     start = np.column_stack([np.full(SCENES, START), np.zeros(SCENES)])
-    scenes = {"head-on": player_right_ahead(rng), "gap": points.gap_ahead(rng, *GAP, askew=0.0)}
+    place = np.stack([rng.uniform(-0.3, 0.3, SCENES), rng.uniform(-STRAIGHT, STRAIGHT, SCENES)], axis=-1)
+    scenes = {"head-on": players(place[:, None]), "gap": points.gap_ahead(rng, *GAP, askew=0.0)}
     for scene, crowd in scenes.items():
         for limit, play in LIMITS.items():
             runs = points.run_points(batch.rng(1), start, crowd, **play)
@@ -137,11 +132,6 @@ def collision_share(samples: Samples, name: str, value: float, scenes: Iterable[
     return 100 * mean([samples[f"{scene} {name} {value:g}"] for scene in scenes])
 
 
-def collision_increase(samples: Samples, name: str, values: Sequence[float], scenes: Iterable[str] = MOVERS) -> float:
-    """Return the share of runs with a collision [pp] at the last value minus the share at the first value."""
-    return collision_share(samples, name, values[-1], scenes) - collision_share(samples, name, values[0], scenes)
-
-
 S58 = claim(
     "S58", "4.3.3", "Keeping the direction more often made the reaction to moving obstacles too slow.",
     f"{SCENES} points a batch and class of scenes, facing the goal, meet a player at {100 * SPEEDS[0]:.0f} to "
@@ -149,7 +139,8 @@ S58 = claim(
     f"stands on the other (the classes of 4.3.4). Ranges have an error of {100 * NOISE:.0f} %. A change of side has to "
     f"last for {', '.join(map(str, PATIENCE))} decisions before it is made; beside it the side is kept beyond smaller "
     "angles than 135 degrees.",
-    measured(f"collisions at {PATIENCE[-1]} decisions less those at 0", collision_increase, "patience", PATIENCE,
+    measured(f"collisions at {PATIENCE[-1]} decisions less those at 0",
+             lambda s: collision_share(s, "patience", PATIENCE[-1]) - collision_share(s, "patience", PATIENCE[0]),
              unit="pp", above=0.0),
     rules=NO_MATCH, measure=collide_with_movers,
     figures=plots(*(plot("Collisions with movers", label, "runs with a collision [%]", values,

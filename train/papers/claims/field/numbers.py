@@ -95,7 +95,11 @@ def compare_walls(batch: Batch, **play: Any) -> Samples:
         abs(FIELD.wall_force(1.0 - x, 1.0, record)) / np.hypot(*FIELD.player_force(x, 0.0, 1.0, 0.0, record))
         for x in np.linspace(0.02, 0.99, 98)
     ]
-    start, crowd = scenes_along_wall(batch.rng())
+    rng = batch.rng()
+    y = rng.uniform(0.5, 0.85, SCENES) * rng.choice([-1.0, 1.0], SCENES)  # [m] 15 to 50 cm from a wall
+    start = np.column_stack([np.full(SCENES, START), y])
+    place = np.column_stack([rng.uniform(-0.6, 0.2, SCENES), y - np.sign(y) * rng.uniform(0.0, 0.25, SCENES)])
+    crowd = players(place[:, None])
     samples: Samples = {"ratio": np.full(SCENES, max(ratios))}
     for name, walls in (("with", True), ("without", False)):
         runs = points.run_points(batch.rng(1), start, crowd, {"body": True}, **{"walls": walls, **play})
@@ -106,14 +110,6 @@ def compare_walls(batch: Batch, **play: Any) -> Samples:
         robots = points.run_robots(batch, start, crowd, walls=walls, **play)
         samples[f"robots {name}"] = points.pad_with_nan(robots.is_clean)
     return samples
-
-
-def scenes_along_wall(rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
-    """Return starts 15 to 50 cm from a wall, and a player (M, 1) that stands up to 25 cm farther from the wall."""
-    y = rng.uniform(0.5, 0.85, SCENES) * rng.choice([-1.0, 1.0], SCENES)
-    start = np.column_stack([np.full(SCENES, START), y])
-    place = np.column_stack([rng.uniform(-0.6, 0.2, SCENES), y - np.sign(y) * rng.uniform(0.0, 0.25, SCENES)])
-    return start, players(place[:, None])
 
 
 def wall_figure(samples: Samples) -> Sequence[Figure]:

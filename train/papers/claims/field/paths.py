@@ -55,20 +55,13 @@ S45 = claim(
 )  # fmt: skip
 
 
-def crowds(rng: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
-    """Return starts and one to three standing players anywhere before the goal."""
-    place = np.stack([rng.uniform(-0.7, 1.0, (SCENES, 3)), rng.uniform(-0.5, 0.5, (SCENES, 3))], axis=-1)
-    place[np.arange(SCENES)[:, None] % 3 < np.arange(3)] = (
-        0.0,
-        50.0,
-    )  # far off the field: one to three players remain
-    return points.starts(rng, SCENES, 0.5), players(place)
-
-
 def steps_away(batch: Batch, **play: Any) -> Samples:
     """Count each run's steps and its steps away from the goal, and tell which runs arrive (M,)."""
-    start, crowd = crowds(batch.rng())
-    runs = points.run_points(batch.rng(1), start, crowd, {"range_noise": NOISE}, **play)
+    rng = batch.rng()
+    place = np.stack([rng.uniform(-0.7, 1.0, (SCENES, 3)), rng.uniform(-0.5, 0.5, (SCENES, 3))], axis=-1)
+    place[np.arange(SCENES)[:, None] % 3 < np.arange(3)] = 0.0, 50.0  # far off the field: one to three players remain
+    start = points.starts(rng, SCENES, 0.5)
+    runs = points.run_points(batch.rng(1), start, players(place), {"range_noise": NOISE}, **play)
     return {"steps": runs.steps, "away": runs.retreats, "arrived": runs.arrived.astype(float)}
 
 

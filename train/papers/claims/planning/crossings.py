@@ -25,18 +25,6 @@ from soccer_env.train.papers.claim import (
     shared,
 )
 from soccer_env.train.papers.claims.planning import runs
-from soccer_env.train.papers.claims.planning.runs import (
-    CANONICAL,
-    CROSSERS,
-    CROSSING,
-    DRIVE_TEXT,
-    DRIVES,
-    KINDS,
-    PLANNERS,
-    SLOW,
-    SPEED,
-    WAY,
-)
 from soccer_env.train.papers.plots import plot_curves, plots
 from soccer_env.train.papers.values import mean, quantile, ratio
 from soccer_env.train.papers.verdicts import Samples, exact, measured, reported
@@ -53,8 +41,9 @@ LOOKED_AT = (
 )
 ASSUMED = ("forces, grid and search of the planner, which the paper does not give: baselines/weigel_2001/planner",)
 POINT_TEXT = (
-    f"{DRIVES * len(KINDS)} points a batch, without inertia, that plan anew every 20 ms and drive {WAY:g} m at "
-    f"{SPEED:g} m/s, each past one obstacle at {CROSSERS[0]:g} to {CROSSERS[1]:g} m/s that crosses"
+    f"{runs.DRIVES * len(runs.KINDS)} points a batch, without inertia, that plan anew every 20 ms and drive "
+    f"{runs.WAY:g} m at {runs.SPEED:g} m/s, each past one obstacle at {runs.CROSSERS[0]:g} to {runs.CROSSERS[1]:g} m/s "
+    "that crosses"
 )
 
 
@@ -67,24 +56,24 @@ def travel_with_both_planners(scenes: Sequence[Any]) -> Samples:
         strays = np.array([distance_from_first_plan(one) for one in travels])
         return {**runs.travel_results(travels), "sides": sides, "strays": strays}
 
-    return compare(PLANNERS, results, FIRST)
+    return compare(runs.PLANNERS, results, FIRST)
 
 
 def canonical_crossings() -> Samples:
     """Return results of both planners in the two canonical crossings (2,), the scenes of the paper's figure."""
-    return travel_with_both_planners([*CANONICAL.values()])
+    return travel_with_both_planners([*runs.CANONICAL.values()])
 
 
 @shared("crossings", rules=STAGED)
 def measure_crossings(batch: Batch) -> Samples:
     """Return the results of drives (M,); of points in random crossings, "point ..."; of the figure's, "figure ..."."""
-    count = DRIVES * len(KINDS)
-    scenes = runs.scenes_of(batch, CROSSING, count)
+    count = runs.DRIVES * len(runs.KINDS)
+    scenes = runs.scenes_of(batch, runs.CROSSING, count)
     point = travel_with_both_planners(scenes)
     point |= {f"{name} plan": np.array([runs.plan(scene, **changes).clearance() for scene in scenes])
-              for name, changes in PLANNERS.items()}  # fmt: skip
+              for name, changes in runs.PLANNERS.items()}  # fmt: skip
     figure = {f"{scene} {name}": np.full(count, values[i]) for name, values in canonical_crossings().items()
-              for i, scene in enumerate(CANONICAL)}  # fmt: skip
+              for i, scene in enumerate(runs.CANONICAL)}  # fmt: skip
     named = {"point": point, "figure": figure}
     shared = {f"{word} {name}": values for word, found in named.items() for name, values in found.items()}
     return runs.drive_with_both_planners(batch) | shared
@@ -99,7 +88,7 @@ def distance_from_first_plan(one: Travel) -> float:
 
 def of_kind(samples: Samples, name: str, kind: str) -> np.ndarray:
     """Return the results of the drives in one kind of scenes."""
-    return np.asarray(samples[name][samples["kind"] == list(KINDS).index(kind)])
+    return np.asarray(samples[name][samples["kind"] == list(runs.KINDS).index(kind)])
 
 
 def difference(samples: Samples, name: str, kind: str, scale: float = 1.0) -> float:
@@ -109,7 +98,7 @@ def difference(samples: Samples, name: str, kind: str, scale: float = 1.0) -> fl
 
 def middle_difference(samples: Samples, name: str, scale: float = 1.0) -> float:
     """Return the middle one of the three kinds' differences: above 0 if at least two kinds show the effect."""
-    return sorted(difference(samples, name, kind, scale) for kind in KINDS)[1]
+    return sorted(difference(samples, name, kind, scale) for kind in runs.KINDS)[1]
 
 
 def forced_away(samples: Samples, name: str) -> float:
@@ -126,7 +115,7 @@ def excess_percent(samples: Samples, name: str) -> float:
 def slow_travels(batch: Batch) -> Samples:
     """Return the results of both planners' travels through slow traffic (M,)."""
     scenes = runs.scenes_of(batch, runs.slow_traffic, TRAFFIC)
-    travels = {name: [runs.travel(scene, **changes) for scene in scenes] for name, changes in PLANNERS.items()}
+    travels = {name: [runs.travel(scene, **changes) for scene in scenes] for name, changes in runs.PLANNERS.items()}
     return compare(travels, runs.travel_results, FIRST)
 
 
@@ -134,7 +123,7 @@ def snapshots(samples: Samples) -> Sequence[Figure]:
     """Plot the paper's figure: planned and travelled paths of both planners after 1, 30 and 60 cycles, scene a."""
     figures = []
     for name, text in {"old": "Conventional planner", "new": "Time-variant planner"}.items():
-        one = runs.travel(CANONICAL["a"], **PLANNERS[name])
+        one = runs.travel(runs.CANONICAL["a"], **runs.PLANNERS[name])
         figures += [snapshot(one, cycle, f"{text}, t = {cycle}") for cycle in CYCLES]
     return tuple(figures)
 
@@ -169,8 +158,8 @@ gap_figure = plots(
 H07 = claim(
     "H07", "3",
     "Planned anew constantly, the conventional planner's paths are efficient and smooth for slow obstacles.",
-    f"{TRAFFIC} points a batch drive {WAY:g} m past four obstacles at up to {SLOW:g} m/s that leave the target "
-    "free, by either planner.",
+    f"{TRAFFIC} points a batch drive {runs.WAY:g} m past four obstacles at up to {runs.SLOW:g} m/s that leave the "
+    "target free, by either planner.",
     measured("the conventional planner's way is longer by", excess_percent, "length", unit="%", at_most=5.0),
     measured("it turns by more", excess_percent, "turn", unit="%", at_most=10.0),
     rules=NO_MATCH, measure=slow_travels, batches=8, seconds=2.0,
@@ -180,7 +169,7 @@ H07 = claim(
 H08 = claim(
     "H08", "3, figure 1",
     "Before a crossing obstacle the conventional planner nearly collides, then drives away from the target.",
-    f"{DRIVE_TEXT}; crossings with a gap below {100 * NEAR:.0f} cm between surfaces and more than {AWAY} cycles "
+    f"{runs.DRIVE_TEXT}; crossings with a gap below {100 * NEAR:.0f} cm between surfaces and more than {AWAY} cycles "
     f"away from the target. \"Many situations\" are read as {MANY:g} %. Beside it the figure's scene, of points, and "
     f"{POINT_TEXT}.",
     measured("drives that nearly collide and drive away", forced_away, "old", unit="%", at_least=MANY),
@@ -196,7 +185,7 @@ H08 = claim(
 
 H09 = claim(
     "H09", "3", "Time-variant planning avoids the obstacles' predicted trajectories.",
-    f"Plans: {POINT_TEXT}: the first plan against the obstacle's predicted way. On real bases: {DRIVE_TEXT}; "
+    f"Plans: {POINT_TEXT}: the first plan against the obstacle's predicted way. On real bases: {runs.DRIVE_TEXT}; "
     "all three scenes together.",
     measured("plans that run into a predicted trajectory", lambda s: 100 * mean(s["point new plan"] < 0.0),
              unit="%", at_most=5.0),
@@ -210,7 +199,7 @@ H09 = claim(
 
 H10 = claim(
     "H10", "3", "Taking the obstacles' movement into account gives smoother paths and fewer collisions.",
-    f"{DRIVE_TEXT}; both planners in the same scenes. \"For several scenarios that frequently occur\": the "
+    f"{runs.DRIVE_TEXT}; both planners in the same scenes. \"For several scenarios that frequently occur\": the "
     f"middle one of the three differences decides, so that two scenes have to show it. Beside it {POINT_TEXT}.",
     measured("fewer touches in 100 drives, middle of three scenes", middle_difference, "hit", 100.0, above=0.0),
     measured("less turn, middle of three scenes", middle_difference, "turn", unit="deg", above=0.0),
@@ -225,7 +214,7 @@ H10 = claim(
 def watched_travels(batch: Batch, chosen: bool = True) -> Samples:
     """Return results of both planners' travels: in both canonical crossings (2,), or in random ones (M,)."""
     return travel_with_both_planners(
-        [*CANONICAL.values()] if chosen else runs.scenes_of(batch, CROSSING, DRIVES * len(KINDS))
+        [*runs.CANONICAL.values()] if chosen else runs.scenes_of(batch, runs.CROSSING, runs.DRIVES * len(runs.KINDS))
     )
 
 

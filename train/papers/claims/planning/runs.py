@@ -199,9 +199,8 @@ def draw_drives(batch: Batch, kind: str) -> dict[str, np.ndarray]:
     when = far / drive.forward + 0.5 * drive.forward / drive.acceleration + late  # its speed grows evenly
     back = [(edge + np.sign(u) * at) / np.maximum(np.abs(u), 1e-9) for edge, u, at in
             zip(EDGE, (ux, uy), (x, y[:, None]), strict=True)]  # fmt: skip
-    ahead = np.where(
-        np.cos(course) < AGAINST, np.maximum(FAR - far - BALL_ROOM, BALL_ROOM), np.inf
-    )  # behind it lies the ball
+    # behind it lies the ball
+    ahead = np.where(np.cos(course) < AGAINST, np.maximum(FAR - far - BALL_ROOM, BALL_ROOM), np.inf)
     run = np.minimum(np.minimum(*back), np.minimum(ahead, speed * (when + LOOK)))
     return {"sign": sign, "y": y, "x": x, "ux": ux, "uy": uy, "speed": speed, "start": when - run / speed, "when": when}
 

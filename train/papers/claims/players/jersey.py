@@ -95,11 +95,6 @@ def variation(sizes: np.ndarray) -> np.ndarray:
     return np.asarray((np.sqrt(square) / np.maximum(middle, 1e-9)).mean(axis=0))
 
 
-def width_over_height(samples: Samples) -> float:
-    """Return the variation of the width over the views divided by the variation of the height, in the worst jersey."""
-    return float((variation(samples["all width"]) / variation(samples["all height"])).min())
-
-
 def front_over_side(samples: Samples) -> np.ndarray:
     """Return the height seen head-on divided by the height seen from the side, for each jersey (jerseys,)."""
     height = samples["height"]
@@ -132,7 +127,8 @@ S37 = claim(
     "S37", "4.1.2", "A player's width varies with the view, its height hardly: slightly smaller head-on.",
     f"{HOW}; coefficient of variation of width and height of the box round all stickers over the sectors, and "
     "heights of the largest sticker; the worst jersey counts.",
-    measured("player: variation of the width over the height's", width_over_height, at_least=3.0),
+    measured("player: variation of the width over the height's",
+             lambda s: float((variation(s["all width"]) / variation(s["all height"])).min()), at_least=3.0),
     measured("largest sticker: height head-on over that from the side",
              lambda samples: float(front_over_side(samples).max()), below=1.0),
     measure=measure_all_sides,

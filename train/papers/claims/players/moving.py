@@ -26,19 +26,15 @@ KEPT = 3.0  # [s] for which a mover keeps its turn, assumed
 TURN = 0.5  # [1] greatest of the top turn rate, assumed
 
 
-def draw_scenes(batch: Batch) -> tuple[np.ndarray, ...]:
-    """Draw distances, bearings, observers' y and movers' headings, each scene repeated for each of SPEEDS."""
-    rng = batch.rng()
-    ranges = ((NEAREST, FARTHEST), (-COURSE, COURSE), (-0.3, 0.3), (-np.pi, np.pi))
-    return tuple(np.repeat(rng.uniform(low, high, SCENES), len(SPEEDS)) for low, high in ranges)
-
-
 def walk_off(batch: Batch) -> Samples:
     """Let movers walk off after a sighting; return distances and errors of their believed places (scenes, speeds) [m].
 
     "distance" and "first", the error, at the sighting; "error" when a dribbler would arrive at the believed place.
     """
-    distance, bearing, y, heading = draw_scenes(batch)
+    rng = batch.rng()
+    ranges = ((NEAREST, FARTHEST), (-COURSE, COURSE), (-0.3, 0.3), (-np.pi, np.pi))
+    scenes = (np.repeat(rng.uniform(low, high, SCENES), len(SPEEDS)) for low, high in ranges)  # each at each speed
+    distance, bearing, y, heading = scenes
     speeds = np.tile(SPEEDS, SCENES)
     match = stage_watchers(batch, len(speeds))
     put(match, 0, EYE_X, y, 0.0)

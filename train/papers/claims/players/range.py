@@ -9,19 +9,11 @@ from typing import Any
 import numpy as np
 
 from soccer_env.match import Match
+from soccer_env.train.papers import staging
 from soccer_env.train.papers.claim import Ablation, Batch, claim
 from soccer_env.train.papers.claims.players import watching
 from soccer_env.train.papers.claims.players.watching import distance_to_robot, nearest_seen, stage_player, stare
 from soccer_env.train.papers.plots import plot_bins
-from soccer_env.train.papers.staging import (
-    OPEN_FLOOR,
-    begin_scene,
-    distance_to_ball,
-    point_ahead,
-    put_ball,
-    record,
-    still_actions,
-)
 from soccer_env.train.papers.true_sight import camera_of, stare_for, turn_head
 from soccer_env.train.papers.values import gain, mean, ratio, rms
 from soccer_env.train.papers.verdicts import Samples, measured, reported
@@ -43,29 +35,29 @@ def look_at_players(batch: Batch, near: float, far: float, **settings: Any) -> S
     rng = batch.rng()
     distance, bearing = rng.uniform(near, far, MATCHES), rng.uniform(-ASIDE, ASIDE, MATCHES)
     view = rng.uniform(-np.pi, np.pi, MATCHES)
-    match = watching.stage_player(batch, MATCHES, distance, bearing, view, league=OPEN_FLOOR, **settings)
+    match = watching.stage_player(batch, MATCHES, distance, bearing, view, league=staging.OPEN_FLOOR, **settings)
 
     def read() -> Samples:
         true, infrared = watching.distance_to_robot(match), match.percepts["infrared"][:, 0].astype(float)
         return {"range": watching.nearest_seen(match)[0] - true, "true": true, "infrared": infrared}
 
-    return record(match, watching.stare(match, still_actions(match), SETTLE, SECONDS), read)
+    return staging.record(match, watching.stare(match, staging.still_actions(match), SETTLE, SECONDS), read)
 
 
 def look_at_balls(batch: Batch) -> Samples:
     """Return the measured range of a ball ("range") and its true range ("true"), at the places of `look_at_players`."""
     rng = batch.rng()
-    match = watching.stage_watchers(batch, MATCHES, league=OPEN_FLOOR, sensors={"patches": 0.0})
+    match = watching.stage_watchers(batch, MATCHES, league=staging.OPEN_FLOOR, sensors={"patches": 0.0})
     distance, bearing = rng.uniform(NEAR, FAR, MATCHES), rng.uniform(-ASIDE, ASIDE, MATCHES)
-    put_ball(match, *point_ahead(match, 0, distance, bearing))
-    begin_scene(match)
+    staging.put_ball(match, *staging.point_ahead(match, 0, distance, bearing))
+    staging.begin_scene(match)
 
     def read() -> Samples:
-        true, ball = distance_to_ball(match)[0], match.beliefs["ball"][:, 0]
+        true, ball = staging.distance_to_ball(match)[0], match.beliefs["ball"][:, 0]
         error = np.where(ball["age"] < 0.5 * match.league.dt, ball["distance"] - true, np.nan)
         return {"range": error, "true": true}
 
-    return record(match, stare_for(match, SETTLE, SECONDS), read)
+    return staging.record(match, stare_for(match, SETTLE, SECONDS), read)
 
 
 def compare_player_and_ball(batch: Batch) -> Samples:
@@ -159,7 +151,7 @@ def stare_at_head(batch: Batch, tilt: float, sensors: dict[str, float], obstacle
     match = stage_player(
         batch, MATCHES, distance, rng.uniform(-0.3, 0.3, MATCHES), view, sensors=sensors, memory=memory
     )
-    actions = still_actions(match)
+    actions = staging.still_actions(match)
     turn_head(match, actions, 1, 0.0, tilt)
     rows = []
     for _ in stare(match, actions, SETTLE, SECONDS):

@@ -56,18 +56,13 @@ def track_all(batch: Batch, **memory: Any) -> dict[str, np.ndarray]:
     tracked, errors = [], []
     for step in play(match, SETTLE + SECONDS, actions):
         if step % EVERY == 0 and step >= SETTLE * match.league.control_rate:
-            tracked.append(sum(are_tracked(match, mates, rows).sum(axis=1) for mates, rows in TEAMS))
+            gaps = [watching.gaps_to(match, watching.slots_of(match, mates), rows) for mates, rows in TEAMS]
+            tracked.append(sum(np.isfinite(watching.matched_distances(gap, NEAR)).sum(axis=1) for gap in gaps))
         if step >= SETTLE * match.league.control_rate:
             errors.append(np.stack([nearest_error(match, mates, rows) for mates, rows in TEAMS], axis=1))
         walk_about(match, actions, step + 1, walks)
     match.close()
     return {"tracked": np.stack(tracked, axis=1), "error": np.stack(errors, axis=1)}
-
-
-def are_tracked(match: Match, mates: bool, rows: list[int]) -> np.ndarray:
-    """Tell which players of a team (M, n) have a memory slot within NEAR of their true place."""
-    gaps = watching.gaps_to(match, watching.slots_of(match, mates), rows)
-    return np.asarray(np.isfinite(watching.matched_distances(gaps, NEAR)))
 
 
 def nearest_error(match: Match, mates: bool, rows: list[int]) -> np.ndarray:

@@ -141,15 +141,9 @@ def run_branch(match: Match, robots: np.ndarray, batch: Batch, begun: bool, rand
     return fate.found
 
 
-def select_moments(found: Samples, **flags: float) -> np.ndarray:
-    """Tell which moments (MATCHES, MOST) exist and have the given flags, such as still=1.0, near=0.0."""
+def count_hits(found: Samples, hit: Callable[[Samples], np.ndarray], **flags: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return the numbers of moments with flags such as still=1.0, and of hits among them, by match (MATCHES,)."""
     there: np.ndarray = np.isfinite(found["near"])
     for name, value in flags.items():
         there = there & (found[name] == value)
-    return there
-
-
-def count_hits(found: Samples, hit: Callable[[Samples], np.ndarray], **flags: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return the number of moments with the given flags, and the number of hits among them, by match (MATCHES,)."""
-    there = select_moments(found, **flags)
     return there.sum(axis=1).astype(float), (there & hit(found)).sum(axis=1).astype(float)

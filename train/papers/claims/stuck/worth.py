@@ -50,17 +50,6 @@ def time_to_ball(match: Match) -> np.ndarray:
     return got
 
 
-def count_referee_calls(batch: Batch, recovery: bool) -> tuple[np.ndarray, np.ndarray]:
-    """Return the numbers of stuck balls called in 3 v 3 play (M,), and of times that robots are pulled apart (M,)."""
-    match = kick_off(batch, matches=MATCHES, team=f"sacks-2001:recovery={recovery}")
-    stuck, apart = np.zeros(MATCHES), np.zeros(MATCHES)
-    for _ in play(match, PLAY):
-        stuck += match.events["stuck"]
-        apart += match.events["separated"]
-    match.close()
-    return stuck, apart
-
-
 def compare_with_recovery(batch: Batch) -> Samples:
     """Return times to the ball of robots held in play (M, moments) and in staged tasks (M, 3), and calls (M,)."""
     samples: dict[str, Any] = {}
@@ -71,7 +60,13 @@ def compare_with_recovery(batch: Batch) -> Samples:
         samples[f"goals {word}"] = fate["goals"]
         for name, begun in TASKS.items():
             samples[f"{name} {word}"] = time_to_ball(begun(batch, recovery=recovery)).reshape(MATCHES, -1)
-        samples[f"calls {word}"], samples[f"apart {word}"] = count_referee_calls(batch, recovery)
+        match = kick_off(batch, matches=MATCHES, team=f"sacks-2001:recovery={recovery}")
+        stuck, apart = np.zeros(MATCHES), np.zeros(MATCHES)
+        for _ in play(match, PLAY):
+            stuck += match.events["stuck"]
+            apart += match.events["separated"]
+        match.close()
+        samples[f"calls {word}"], samples[f"apart {word}"] = stuck, apart
     return samples
 
 
