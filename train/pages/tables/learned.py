@@ -17,7 +17,7 @@ from soccer_env.train.written_settings import with_ray
 HELD_OUT = 2  # seed of these evaluations: the policies were trained with other seeds
 LEARNED = {  # team: its league, opponents, matches of a cell, minutes of a whole match
     "learned": ("legged-2001", ("chaser", "sacks-2001", "sacks-2001-tuned"), 24, 20.0),
-    "learned-2006": ("middle-size-2006", ("chaser", "heinemann-2006", "weigel-2001"), 12, 30.0),
+    "learned-2006": ("middle-size-2006", ("chaser", "heinemann-2006", "weigel-2001"), 60, 30.0),
 }
 CLEAN = ("goals_clean_kick_for", "goals_clean_dribble_for")
 WHISTLES = "fouls_"
