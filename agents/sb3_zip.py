@@ -89,8 +89,7 @@ def load_sb3(
             raise ValueError(f"takes {taken} inputs, {observe!r} of {preset.name!r} has {len(inputs)}: {hint}")
         return Policy(
             **read, **(league_fields if rules is None else training_fields)(preset),
-            name=(re.sub(r"[^A-Za-z0-9 ._+-]", "-", Path(path).stem).lstrip(" ._+-")[:64] or "sb3")
-            if name is None else name,
+            name=_policy_name(path) if name is None else name,
             observe=observe, inputs=tuple(inputs), action_repeat=action_repeat, mirror=False,
             at_once=at_once, normalise=normaliser_table(normalise), **known_senses(senses, pose),
         )  # fmt: skip
@@ -263,6 +262,11 @@ def _check_pickle(content: bytes) -> None:
             raise ValueError(f"policy.pth names {short_repr(argument)}, which is no tensor of float32")
         if opcode not in OPCODES:
             raise ValueError(f"policy.pth is no table of tensors: its pickle has {opcode}")
+
+
+def _policy_name(path: str | os.PathLike[str]) -> str:
+    """Return a name for the policy, derived from the name of its file."""
+    return re.sub(r"[^A-Za-z0-9 ._+-]", "-", Path(path).stem).lstrip(" ._+-")[:64] or "sb3"
 
 
 def _action_kind(size: int) -> str:

@@ -91,7 +91,7 @@ class EvaluateSettings(CommandSettings):
     anew: bool = False
     """Start afresh: remove the files of an earlier evaluation from --out."""
     variation: str = ""
-    """Numbers of the league that differ from match to match, as factors: kicker.fastest=0.8:1.2,drive.delay=2."""
+    """Numbers of the league that differ from match to match, as factors: ball.mass=1:2,drive.delay=0.5:2:log."""
     sweep: str = ""
     """One such factor from value to value, as kicker.fastest=0.5:1.5:5: a curve of the points with intervals, for each
     team in --home, separated by commas. `soccer list variations` names the numbers."""

@@ -94,7 +94,7 @@ class PlainSettings:
     """How robots with sensors know where they are: by a particle filter, or by a given noisy pose (percept), which is
     faster."""
     variation: str = ""
-    """Numbers of the league that differ from episode to episode, as factors: kicker.fastest=0.8:1.2,drive.delay=2."""
+    """Numbers of the league that differ from episode to episode, as factors: ball.mass=1:2,drive.delay=0.5:2:log."""
     start: str = ""
     """Policy file of the same shape to start from, or the folder of another run, whose critic and noise are taken over
     too; "" to start from nothing."""

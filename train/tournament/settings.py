@@ -79,7 +79,7 @@ class TournamentSettings(CommandSettings):
     rules: str = "league"
     """Rule set: league, simple or none; league:pushing=False,holding_time=5 changes single rules."""
     variation: str = ""
-    """Numbers of the league that differ from match to match, as factors: kicker.fastest=0.8:1.2,drive.delay=2."""
+    """Numbers of the league that differ from match to match, as factors: ball.mass=1:2,drive.delay=0.5:2:log."""
     anew: bool = False
     """Start afresh: remove the files of an earlier tournament from --out."""
     keep: str = ""
