@@ -13,12 +13,12 @@ from typing import Any
 
 import numpy as np
 
-from soccer_env.actions import PARTS
+from soccer_env.actions import PARTS, action_mirror
 from soccer_env.agents.policy import Policy
 from soccer_env.agents.policy_file import load
 from soccer_env.agents.recurrent import ACTIVE, memory_units
 from soccer_env.guards.whole_files import write_atomically
-from soccer_env.observations.reflection import action_signs, observation_signs
+from soccer_env.observations.reflection import observation_signs
 
 ENDING = ".onnx"
 OPSET, FORMAT = 17, 9  # versions of the operators and of the file
@@ -90,7 +90,7 @@ def write_images(graph: Graph, policy: Policy) -> Sequence[str]:
     found = [write_network(graph, policy, *pair) for pair in zip(images, states, strict=True)]
     actions = found[0][0]
     if policy.mirror:
-        turned = graph.add("Mul", found[1][0], graph.constant(action_signs(len(policy.biases[-1]))))
+        turned = graph.add("Mul", found[1][0], graph.constant(action_mirror(policy.actions)[1]))
         actions = graph.add("Mean", actions, turned)
     if policy.actions not in PARTS:
         limits = graph.constant(np.float32(-1.0)), graph.constant(np.float32(1.0))

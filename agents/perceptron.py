@@ -4,8 +4,8 @@ A network lies in one flat array of numbers, so that kernels are compiled once f
 
     layers, memory and activation, mirror, action repeat, at once, output, normalised | sizes of all layers, the first
     layer's inputs in front | with a memory its units, and which input says that the robot is active | places of the
-    inputs in an observation | signs of a mirror | normalised: limit, means, deviations | with a memory W, b, U, c
-    | weights and biases
+    inputs in an observation | a mirror: signs of the inputs, places and signs of the outputs | normalised: limit,
+    means, deviations | with a memory W, b, U, c | weights and biases
 
 An action depends bit for bit on its own observation and state of memory alone, and not on other rows.
 """
@@ -18,12 +18,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from soccer_env.actions import BOX, DISCRETE_TABLE, FULL, KICK_TABLE, LEVEL_TABLE, WALK
+from soccer_env.actions import BOX, DISCRETE_TABLE, FULL, KICK_TABLE, LEVEL_TABLE, WALK, action_mirror
 from soccer_env.agents.normalising import pack_table
 from soccer_env.agents.recurrent import ACTIVE, GATES, memory_units, multiply, remember
 from soccer_env.compiled import compiled
 from soccer_env.geometry import clip
-from soccer_env.observations.reflection import action_signs, observation_signs
+from soccer_env.observations.reflection import observation_signs
 
 if TYPE_CHECKING:
     from soccer_env.agents.policy import Policy
@@ -50,9 +50,9 @@ def pack_policy(policy: Policy, at_once: bool = False, columns: Sequence[int] | 
     if policy.memory:
         head += memory_units(policy.memory), policy.inputs.index(ACTIVE) if ACTIVE in policy.inputs else -1
     signs = observation_signs(policy.entries) if policy.mirror else np.ones(len(policy.inputs))
-    turned = action_signs(sizes[-1]) if policy.mirror else np.ones(sizes[-1])
+    turned = action_mirror(policy.actions) if policy.mirror else np.ones((2, sizes[-1]))
     places = np.arange(len(policy.inputs)) if columns is None else np.array(columns)
-    parts = [np.array(head, np.float64), places.astype(np.float64), signs, turned, scaled]
+    parts = [np.array(head, np.float64), places.astype(np.float64), signs, *turned, scaled]
     layers = (*zip(policy.memory[::2], policy.memory[1::2]), *zip(policy.weights, policy.biases))
     for weight, bias in layers:
         parts += [weight.T.astype(np.float64).ravel(), bias.astype(np.float64)]
@@ -72,14 +72,17 @@ def act(numbers, row, action, states, scratch):
     places = memory_shape(numbers) + (MEMORY_SHAPE if numbers[NETWORK] >= RECURRENT else 0)
     forget_if_sent_off(numbers, row, places, states)
     signs = places + inputs
-    scale = signs + inputs + outputs
+    scale = signs + inputs + 2 * outputs
     start = scale + (1 + 2 * inputs if numbers[NORMALISED] != 0.0 else 0)
     for i in range(inputs):
         scratch[2, i] = row[int(numbers[places + i])]
     normalise(numbers, scale, inputs, scratch)
     forward(numbers, layers, start, states[0], scratch)
-    if numbers[OUTPUT] >= CHOSEN:
-        choose(numbers[OUTPUT], outputs, action, scratch)
+    if numbers[OUTPUT] == CHOSEN:
+        choose_action(outputs, action, scratch)
+        return
+    if numbers[OUTPUT] == PARTS_CHOSEN:
+        choose_parts(action, scratch)
         return
     for i in range(outputs):
         action[i] = scratch[0, i]
@@ -89,8 +92,9 @@ def act(numbers, row, action, states, scratch):
         normalise(numbers, scale, inputs, scratch)
         forward(numbers, layers, start, states[1], scratch)
         for i in range(outputs):
-            action[i] = 0.5 * (action[i] + numbers[signs + inputs + i] * scratch[0, i])
-    for i in range(outputs):
+            place, sign = int(numbers[signs + inputs + i]), numbers[signs + inputs + outputs + i]
+            action[i] = 0.5 * (action[i] + sign * scratch[0, place])
+    for i in range(0 if numbers[OUTPUT] == VALUES else outputs):
         action[i] = tanh(action[i]) if numbers[OUTPUT] == SQUASHED else clip(action[i], -1.0, 1.0)
 
 
@@ -103,18 +107,6 @@ def normalise(numbers, scale, inputs, scratch):
     for i in range(inputs):
         value = (scratch[2, i] - numbers[scale + 1 + i]) / numbers[scale + 1 + inputs + i]
         scratch[2, i] = clip(value, -limit, limit)
-
-
-@compiled
-def choose(use, outputs, action, scratch):
-    """Write the action that the outputs in scratch[0] choose, or these values themselves."""
-    if use == CHOSEN:
-        choose_action(outputs, action, scratch)
-    elif use == PARTS_CHOSEN:
-        choose_parts(action, scratch)
-    else:
-        for i in range(outputs):
-            action[i] = scratch[0, i]
 
 
 @compiled

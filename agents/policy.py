@@ -88,8 +88,8 @@ class Policy:
         for name in ("mirror", "squash", "at_once"):
             if type(getattr(self, name)) is not bool:
                 raise ValueError(f"{name} must be True or False, got {short_repr(getattr(self, name))}")
-        if self.actions in CHOICES and (self.mirror or self.squash):
-            raise ValueError("mirror and squash must be False where actions are discrete")
+        if self.actions in CHOICES and (self.squash or (self.mirror and self.actions != "skills")):
+            raise ValueError(f"mirror and squash must be False where actions are {self.actions!r}")
         if self.actions == "skills" and self.memory:
             raise ValueError("a policy that chooses skills can have no memory of its own")
         if self.mirror and self.observe == "percepts":

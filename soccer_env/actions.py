@@ -56,6 +56,7 @@ WALK = len(BOX) - 1  # the parts of "multi" before the kick
 PARTS = {"discrete": (len(DISCRETE),), "multi": (*(len(LEVELS),) * WALK, len(KICKS))}  # choices of each index
 KINDS = ("box", "full", *PARTS, "skills")
 FLOAT = np.dtype(np.float64)
+SIGNS = (1.0, -1.0, -1.0, 1.0, 1.0, -1.0, 1.0)  # of the numbers of FULL in a left-right mirror
 DISCRETE_TABLE = np.array(list(DISCRETE.values()), dtype=np.float64)
 LEVEL_TABLE, KICK_TABLE = np.array(LEVELS), np.array(list(KICKS.values()), dtype=np.float64)
 NO_KICK = np.zeros(WALK * len(LEVELS), bool)  # of the levels of "multi"
@@ -258,3 +259,16 @@ def write_learner_commands(robots, actions, first, last, learns):
             command.head = clip(action[4], -1.0, 1.0) if full else -1.0
             command.pan = clip(action[5], -1.0, 1.0) if full else 0.0
             command.tilt = clip(action[6], -1.0, 1.0) if full else 0.0
+
+
+def action_mirror(kind: str) -> tuple[np.ndarray, np.ndarray]:
+    """Return which output (n,) of a policy each one becomes in a left-right mirror, and with which sign (n,).
+
+    kind: "box" and "full", whose numbers keep their places, or "skills", of which left and right ones change places.
+    """
+    if kind == "skills":
+        sides = {"left": "right", "right": "left"}
+        turned = (" ".join(sides.get(word, word) for word in name.split()) for name in SKILLS)
+        return np.array([*map(list(SKILLS).index, turned)]), np.ones(len(SKILLS))
+    size = len(BOX) if kind == "box" else len(FULL)
+    return np.arange(size), np.array(SIGNS[:size])

@@ -1,12 +1,10 @@
-"""The signs of observations and actions in a left-right mirror."""
+"""The signs of observations in a left-right mirror."""
 
 from collections.abc import Sequence
 
 import numpy as np
 
 from soccer_env.observations.entry import Entry
-
-ACTIONS = (1.0, -1.0, -1.0, 1.0, 1.0, -1.0, 1.0)  # forward, left, turn, kick, head, pan, tilt
 
 
 def observation_signs(entries: Sequence[Entry]) -> np.ndarray:
@@ -20,8 +18,3 @@ def observation_signs(entries: Sequence[Entry]) -> np.ndarray:
         if entry.mirror is None:
             raise ValueError(f"a mirror turns signs round alone, and {entry.name!r} would change places with another")
     return np.array([float(entry.mirror or 0) for entry in entries])
-
-
-def action_signs(size: int) -> np.ndarray:
-    """Return the sign, 1 or -1, of each of the 4 or 7 numbers of an action in a left-right mirror."""
-    return np.array(ACTIONS[:size])

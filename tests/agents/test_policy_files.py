@@ -105,7 +105,7 @@ def test_arrays_are_copied_and_cannot_be_written_to() -> None:
         ({"observe": "all"}, "observe must be one of truth, percepts, belief, got 'all'"),
         ({"actions": "words"}, "actions must be one of box, full, discrete, multi, skills"),
         ({"actions": "discrete"}, r"layer1 must have a weight \(12, 3\) and a bias \(12,\), got \(4, 3\)"),
-        ({"actions": "discrete", "squash": True}, "mirror and squash must be False where actions are discrete"),
+        ({"actions": "discrete", "squash": True}, "mirror and squash must be False where actions are 'discrete'"),
         ({"at_once": 1}, "at_once must be True or False, got 1"),
         ({"normalise": {"mean": []}}, "normalise must be empty or a table of mean, deviation, limit"),
         ({"activation": "gelu"}, "activation must be one of tanh, relu"),

@@ -11,6 +11,7 @@ import pytest
 from safetensors.numpy import load, save
 
 from soccer_env import Match
+from soccer_env.actions import action_mirror
 from soccer_env.agents.learned import STATES, remember_slice, team_from_policy
 from soccer_env.agents.perceptron import pack_policy
 from soccer_env.agents.policy import Policy
@@ -18,7 +19,7 @@ from soccer_env.agents.policy_file import dump, parse
 from soccer_env.agents.recurrent import MAX_MEMORY, TENSORS
 from soccer_env.leagues import find_league
 from soccer_env.leagues.constants import constants_of
-from soccer_env.observations.reflection import action_signs, observation_signs
+from soccer_env.observations.reflection import observation_signs
 from soccer_env.types import COMMAND
 from tests.agents.staged_policies import decide, random_policy, random_recurrent_policy, team_from_disk
 
@@ -87,7 +88,7 @@ def test_a_mirror_policy_does_the_mirrored_for_mirrored_episodes_exactly() -> No
     policy = random_recurrent_policy(16, units=UNITS, mirror=True)
     rows, signs = episode(policy), observation_signs(policy.entries).astype(np.float32)
     decided = decide(policy, rows)
-    assert (decide(policy, rows * signs) == decided * action_signs(4)).all()
+    assert (decide(policy, rows * signs) == decided * action_mirror("box")[1]).all()
     assert np.abs(decided[:, 1]).max() > 0.1, "something is mirrored"
 
 

@@ -225,7 +225,11 @@ REFUSED: dict[str, tuple[Any, dict[str, Any], str]] = {
     "no normaliser": (mlp(4), {"normalise": 3}, "normalise must be a table of mean, deviation, limit, or have obs_rms"),
     "another size": (mlp(4), {"normalise": SHORT}, f"normalise['mean'] must have {INPUTS} numbers, got [0.0]"),
     "deviation 0": (mlp(4), {"normalise": FLAT}, "normalise['deviation'] must hold numbers from 1e-12 to 1e+30, got 0"),
-    "squashed discrete ones": (mlp(12), {"squash": True}, "mirror and squash must be False where actions are discrete"),
+    "squashed discrete ones": (
+        mlp(12),
+        {"squash": True},
+        "mirror and squash must be False where actions are 'discrete'",
+    ),
 }
 
 

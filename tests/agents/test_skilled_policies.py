@@ -66,8 +66,8 @@ def test_a_torch_module_of_26_outputs_is_saved_as_a_chooser(tmp_path: Path) -> N
 
 
 def test_what_cannot_be_is_refused(tmp_path: Path) -> None:
-    with pytest.raises(ValueError, match="mirror and squash must be False"):
-        chooser(LEGGED, mirror=True)
+    with pytest.raises(ValueError, match="mirror and squash must be False where actions are 'skills'"):
+        chooser(LEGGED, squash=True)
     with pytest.raises(ValueError, match="can have no memory of its own"):
         replace(chooser(LEGGED), memory=random_recurrent_policy(8).memory)
     with pytest.raises(ValueError, match="chooses skills, which an ONNX file cannot carry out"):

@@ -65,7 +65,7 @@ def check_start(settings: TrainSettings, blank: Policy) -> None:
         return
     with name_setting_in_error("start"):
         policy = widened_policy(load(settings.start_file), blank.inputs)
-        for what in ("family", "control_rate", "observe", "action_repeat", "activation", "mirror"):
+        for what in ("family", "control_rate", "observe", "actions", "action_repeat", "activation", "mirror"):
             own, other = getattr(blank, what), getattr(policy, what)
             if own != other:
                 told = f"{what} is {short_repr(other)}, the run's {short_repr(own)}"
@@ -131,7 +131,7 @@ def make_matches(
         league=settings.played, scene=settings.scene, players=sizes, matches=settings.matches,
         opponents=curriculum.lineup, action_repeat=settings.action_repeat, rewards=settings.paid,
         gamma=settings.gamma, state=settings.critic_room, stagger=True, seed=settings.seed + TRAINING_SEED,
-        observe=settings.observe, senses=senses_of(settings.senses), pose=settings.pose,
+        observe=settings.observe, senses=senses_of(settings.senses), pose=settings.pose, actions=settings.actions,
         minutes=2.0 * settings.minutes, max_cycles=max(decisions - 1, 1),
         variation=split_variation(settings.variation),
     )  # fmt: skip

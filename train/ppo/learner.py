@@ -27,7 +27,7 @@ class Learner:
         self.matches = matches
         (features,) = matches.observation_space.shape or (0,)
         self.network = SoccerPolicy(
-            layout(self.league, settings.observe), features, hidden=settings.hidden_sizes,
+            layout(self.league, settings.observe), features, settings.actions, hidden=settings.hidden_sizes,
             critic=settings.critic_sizes, activation=settings.activation, mirror=settings.mirror,
             noise=settings.noise, memory=settings.memory,
         ).to(device_of(settings.device))  # fmt: skip

@@ -14,12 +14,13 @@ import numpy as np
 import torch
 from torch import nn
 
+from soccer_env.actions import action_mirror
 from soccer_env.agents.policy import ACTIONS, Policy, training_fields
 from soccer_env.agents.recurrent import memory_shapes
 from soccer_env.leagues.league import League
 from soccer_env.observations import Entry
 from soccer_env.observations import layout as entries_of
-from soccer_env.observations.reflection import action_signs, observation_signs
+from soccer_env.observations.reflection import observation_signs
 from soccer_env.train.ppo.recurrent import Memory
 from soccer_env.train.ppo.settings import TrainSettings
 
@@ -44,48 +45,51 @@ def linear(inputs: int, outputs: int, gain: float) -> nn.Linear:
 
 
 class MirrorHead(nn.Module):
-    """The last layer of a mirrored actor: the mean of the action and the mirrored-back action of the mirror image."""
+    """The last layer of a mirrored actor: the mean of the outputs and the mirrored-back outputs of the mirror image."""
 
+    places: torch.Tensor
     signs: torch.Tensor
 
-    def __init__(self, linear: nn.Module, signs: torch.Tensor) -> None:
+    def __init__(self, linear: nn.Module, kind: str) -> None:
         super().__init__()
         self.linear = linear
-        self.register_buffer("signs", signs, persistent=False)
+        places, signs = action_mirror(kind)
+        self.register_buffer("places", torch.tensor(places), persistent=False)
+        self.register_buffer("signs", torch.tensor(signs, dtype=torch.float32), persistent=False)
 
     def forward(self, latent: torch.Tensor) -> torch.Tensor:
-        """Return actions (B, a) for the last hidden layer (2 B, h)."""
+        """Return outputs (B, a) for the last hidden layer (2 B, h)."""
         plain, mirrored = self.linear(latent).chunk(2)
-        actions: torch.Tensor = 0.5 * (plain + mirrored * self.signs)
-        return actions
+        outputs: torch.Tensor = 0.5 * (plain + mirrored[:, self.places] * self.signs)
+        return outputs
 
 
 class SoccerPolicy(nn.Module):
     """Actor and critic: the actor sees a robot's own observation, described by `entries`; the critic sees more.
 
-    features: numbers that the critic sees, of which the first are the robot's own observation; noise: initial standard
-    deviation of the actions; memory: units of a recurrent memory, 0 for none.
+    features: numbers that the critic sees, of which the first are the robot's own observation; actions: "box" or
+    "full", or "skills", which are chosen; noise: initial standard deviation of the numbers of an action; memory: units
+    of a recurrent memory, 0 for none.
     """
 
     signs: torch.Tensor | None
 
     def __init__(
-        self, entries: Sequence[Entry], features: int, actions: int = 4, *, hidden: Sequence[int] = (64, 64),
+        self, entries: Sequence[Entry], features: int, actions: str = "box", *, hidden: Sequence[int] = (64, 64),
         critic: Sequence[int] = (64, 64), activation: str = "tanh", mirror: bool = False, noise: float = 1.0,
         memory: int = 0,
     ) -> None:  # fmt: skip
         super().__init__()
-        self.entries, self.activation, self.mirror = entries, activation, mirror
-        inputs = len(entries)
+        self.entries, self.actions, self.activation, self.mirror = entries, actions, activation, mirror
+        inputs, outputs = len(entries), ACTIONS[actions]
         signs = torch.tensor(observation_signs(entries), dtype=torch.float32) if mirror else None
         self.register_buffer("signs", signs, persistent=False)
         self.memory = Memory(entries, inputs, memory) if memory else None
         self.policy_net = layers([inputs + memory, *hidden], activation)
-        head = linear(hidden[-1], actions, ACTION_GAIN)
-        action_mirror = torch.tensor(action_signs(actions), dtype=torch.float32)
-        self.action_net: nn.Module = MirrorHead(head, action_mirror) if mirror else head
+        head = linear(hidden[-1], outputs, ACTION_GAIN)
+        self.action_net: nn.Module = MirrorHead(head, actions) if mirror else head
         self.critic_net = nn.Sequential(*layers([features, *critic], activation), linear(critic[-1], 1, 1.0))
-        self.log_std = nn.Parameter(torch.full((actions,), float(np.log(noise))))
+        self.log_std = nn.Parameter(torch.full((outputs,), float(np.log(noise))))
         self._ignore_players()
 
     def _ignore_players(self) -> None:
@@ -101,6 +105,11 @@ class SoccerPolicy(nn.Module):
                 part[:, players] = 0.0
 
     @property
+    def chooses_skills(self) -> bool:
+        """Tell whether an action is a choice among skills, and not numbers."""
+        return self.actions == "skills"
+
+    @property
     def device(self) -> torch.device:
         """Return the device of the parameters."""
         return self.log_std.device
@@ -110,10 +119,10 @@ class SoccerPolicy(nn.Module):
         units = self.memory.units if self.memory else 0
         return torch.zeros(1 + self.mirror, rows, units, device=self.device)
 
-    def mean_actions(
+    def outputs(
         self, features: torch.Tensor, states: torch.Tensor | None = None, begins: torch.Tensor | None = None
     ) -> tuple[torch.Tensor, torch.Tensor]:
-        """Return the actor's mean actions (T, N, a), without noise and not clipped, and the states after them.
+        """Return the actor's outputs (T, N, a), such as mean actions that are not clipped, and the states after them.
 
         features: (T, N, n or more) of T decisions of N rows; states: (images, N, units) before them, None for 0;
         begins: (T, N) flags of decisions that begin an episode, None for none.
@@ -145,9 +154,9 @@ def export_policy(
     weights, biases, memory = (
         tuple(part.detach().cpu().numpy().astype(np.float32) for part in parts) for parts in actor_tensors(network)
     )
-    inputs, actions = tuple(entry.name for entry in network.entries), {4: "box", 7: "full"}[len(biases[-1])]
+    inputs = tuple(entry.name for entry in network.entries)
     return Policy(
-        name=name, **training_fields(league), observe=observe, inputs=inputs, actions=actions,
+        name=name, **training_fields(league), observe=observe, inputs=inputs, actions=network.actions,
         action_repeat=action_repeat, activation=network.activation, mirror=network.mirror,
         weights=weights, biases=biases, made=made, senses=senses, pose=pose, memory=memory,
     )  # fmt: skip
@@ -198,10 +207,10 @@ def blank_policy(settings: TrainSettings, league: League) -> Policy:
     entries = entries_of(league, settings.observe)
     names = tuple(entry.name for entry in entries)
     remembering = memory_shapes(settings.memory, len(names)) if settings.memory else ()
-    sizes = (len(names) + settings.memory, *settings.hidden_sizes, ACTIONS["box"])
+    sizes = (len(names) + settings.memory, *settings.hidden_sizes, ACTIONS[settings.actions])
     shapes = list(zip(sizes[1:], sizes, strict=False))
     return Policy(
-        name=settings.name, **training_fields(league), observe=settings.observe, inputs=names, actions="box",
+        name=settings.name, **training_fields(league), observe=settings.observe, inputs=names, actions=settings.actions,
         action_repeat=settings.action_repeat, activation=settings.activation, mirror=settings.mirror,
         weights=tuple(np.zeros(shape, np.float32) for shape in shapes),
         biases=tuple(np.zeros(out, np.float32) for out, _ in shapes), made={},

@@ -49,6 +49,8 @@ class PlainSettings:
     opponents are drawn more often. One list for all stages, or one for each, separated by semicolons."""
     steps: int = 2_000_000
     """Training length in decisions of learning robots. Raise it to train a finished run further."""
+    actions: Literal["box", "skills"] = "box"
+    """What a decision is: box, how to walk and kick, or skills, which of the skills of the scripted players to use."""
     action_repeat: int = 8
     """Control steps for which a decision is kept; 8 are one gait step of the legged league."""
     out: Path = Path("runs/train")

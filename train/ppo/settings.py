@@ -70,6 +70,8 @@ class TrainSettings(Weights, PlainSettings, CommandSettings):  # type: ignore[mi
             raise ValueError(
                 "mirror needs observe='belief' or 'truth', as turning signs round mirrors no picture: give --no-mirror"
             )
+        if self.actions == "skills" and self.memory:
+            raise ValueError("actions='skills' can have no memory of the policy's own: give --memory 0")
         if split_senses(self.senses)[0] != "ideal" and self.observe == "truth":
             raise ValueError(
                 "observe='truth' needs senses='ideal', as the policy will when it plays: give --senses ideal"

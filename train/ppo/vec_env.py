@@ -233,6 +233,12 @@ class SoccerVecEnv(VecEnv):
         """Return the name of the present opponent in each match."""
         return [name for names in self.opponents for name in names]
 
+    def action_masks(self) -> np.ndarray:
+        """Return masks (rows, n) of the actions that are allowed, where actions are choices."""
+        pairs = zip(self.matches, self.learners, strict=True)
+        masks = [match.action_masks()[:, :count].reshape(match.count * count, -1) for match, count in pairs]
+        return np.concatenate(masks)
+
     # Methods of VecEnv for environments that are separate objects; here they are rows
 
     def close(self) -> None:
@@ -252,9 +258,7 @@ class SoccerVecEnv(VecEnv):
     def env_method(self, method_name: str, *method_args: Any, indices: Any = None, **method_kwargs: Any) -> list[Any]:
         """Return the mask of each row for "action_masks", as sb3-contrib asks; AttributeError for other methods."""
         if method_name == "action_masks":
-            pairs = zip(self.matches, self.learners, strict=True)
-            masks = [match.action_masks()[:, :count].reshape(match.count * count, -1) for match, count in pairs]
-            return list(np.concatenate(masks)[list(self._get_indices(indices))])
+            return list(self.action_masks()[list(self._get_indices(indices))])
         raise AttributeError(f"rows of a SoccerVecEnv have no method {method_name!r} of their own")
 
     def env_is_wrapped(self, wrapper_class: Any, indices: Any = None) -> list[bool]:

@@ -57,7 +57,7 @@ def test_a_file_decides_as_the_network_in_episodes_that_begin_and_robots_that_ar
     seen[12:14, 0, ACTIVE] = -1.0
     begins[8, 1] = True
     with torch.no_grad():
-        played, _ = made.mean_actions(torch.as_tensor(seen), begins=torch.as_tensor(begins))
+        played, _ = made.outputs(torch.as_tensor(seen), begins=torch.as_tensor(begins))
     actions = played.numpy().clip(-1.0, 1.0)
     expected = [
         decide(policy, seen[:, 0]), np.concatenate([decide(policy, seen[:8, 1]), decide(policy, seen[8:, 1])]),
@@ -83,7 +83,7 @@ def test_a_rollout_is_evaluated_with_the_states_in_which_it_was_played(tmp_path:
         assert rollout is not None
         seen, begins, means, *_ = as_sequences(rollout, made.network)
         with torch.no_grad():
-            found, _ = made.network.mean_actions(seen, rollout.states, begins)
+            found, _ = made.network.outputs(seen, rollout.states, begins)
         torch.testing.assert_close(found, means, rtol=0.0, atol=1e-6)
         assert seen.shape[:2] == (12, ROLLOUT // 12) and (made._start.states != 0.0).any()
     assert (rollout.states != 0.0).any() and begins[1:].any(), "an episode began within the last rollout"

@@ -24,6 +24,7 @@ from soccer_env.agents.rules_known import recorded
 from soccer_env.guards.checking import Range
 from soccer_env.leagues import find_league
 from soccer_env.leagues.rules import rule_set
+from soccer_env.skills.choices import SKILLS
 from soccer_env.train.command.command_line import main
 from soccer_env.train.ppo import training
 from soccer_env.train.ppo.checks import make_curriculum, make_matches
@@ -46,6 +47,17 @@ def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_the_same_seed_gives_the_same_weights(tmp_path: Path, whole: Path, change: dict[str, Any]) -> None:
     train_plainly(tiny_settings(tmp_path / "run", **change))
     assert outcome(tmp_path / "run") == outcome(whole)
+
+
+def test_a_policy_that_chooses_skills_learns_and_plays_as_one_in_a_mirror(tmp_path: Path) -> None:
+    for threads in (1, 2):
+        folder = tmp_path / f"{threads}"
+        train_plainly(tiny_settings(folder, actions="skills", past=1, steps=144, threads=threads))
+    assert outcome(tmp_path / "1") == outcome(tmp_path / "2")
+    policy = load(tmp_path / "1" / "last.safetensors")
+    assert policy.actions == "skills" and policy.mirror and len(policy.biases[-1]) == len(SKILLS)
+    last = records(tmp_path / "1" / "log.jsonl")[-1]
+    assert 1.0 < last["entropy"] < np.log(len(SKILLS)) and last["kl"] > 0.0
 
 
 def test_policies_and_settings_say_by_which_rules_they_were_trained(tmp_path: Path, whole: Path) -> None:

@@ -14,18 +14,11 @@ import torch
 from soccer_env.leagues import find_league
 from soccer_env.match.truth_state import entries
 from soccer_env.observations import layout
+from soccer_env.train.ppo.distributions import NEVER, Normal, Skills, policy_of
 from soccer_env.train.ppo.networks import SoccerPolicy
 from soccer_env.train.ppo.settings import TrainSettings, half_life_factor
 from soccer_env.train.ppo.updating.rollout import Start, advantages, collect, normalised, scales, values_of
-from soccer_env.train.ppo.updating.update import (
-    RATES,
-    Normal,
-    divergence,
-    entropy,
-    follow_divergence,
-    log_prob,
-    make_optimizer,
-)
+from soccer_env.train.ppo.updating.update import RATES, follow_divergence, make_optimizer
 from soccer_env.train.ppo.vec_env import SoccerVecEnv
 from tests.train.ppo.staged_training import records, tiny_settings, train_plainly
 
@@ -110,11 +103,26 @@ def test_densities_divergence_and_entropy_are_those_of_normal_distributions() ->
     means, others, actions = torch.randn(3, 5, 4)
     std, narrow = torch.tensor([0.5, 0.3, 1.0, 2.0]), torch.tensor([0.4, 0.3, 1.5, 1.0])
     one, other = torch.distributions.Normal(means, std), torch.distributions.Normal(others, narrow)
-    ratio = log_prob(Normal(others, narrow), actions) - log_prob(Normal(means, std), actions)
+    old, new = Normal(means, std), Normal(others, narrow)
+    ratio = new.log_prob(actions) - old.log_prob(actions)
     assert torch.allclose(ratio, (other.log_prob(actions) - one.log_prob(actions)).sum(1), atol=1e-5)
-    found = divergence(Normal(means, std), Normal(others, narrow))
-    assert torch.allclose(found, torch.distributions.kl_divergence(one, other).sum(1).mean(), atol=1e-5)
-    assert torch.allclose(entropy(std.log()), one.entropy().sum(1)[0], atol=1e-5)
+    assert torch.allclose(new.divergence(old), torch.distributions.kl_divergence(one, other).sum(1).mean(), atol=1e-5)
+    assert torch.allclose(old.entropy(), one.entropy().sum(1)[0], atol=1e-5)
+
+
+def test_chances_divergence_and_entropy_of_skills_are_those_of_the_skills_that_apply() -> None:
+    torch.manual_seed(2)
+    outputs, others = torch.randn(2, 400, 5)
+    masks = torch.rand(400, 5) < 0.6
+    masks[:, 0] = True
+    old, new = (policy_of(values, torch.zeros(5), masks) for values in (outputs, others))
+    assert isinstance(old, Skills) and isinstance(new, Skills) and ((old.outputs > 0.5 * NEVER) == masks).all()
+    chosen = old.draw()
+    assert masks.gather(1, chosen.long()).all() and len(chosen.unique()) == 5
+    one, other = (torch.distributions.Categorical(logits=policy.outputs) for policy in (old, new))
+    assert torch.allclose(old.log_prob(chosen), one.log_prob(chosen[:, 0]), atol=1e-5)
+    assert torch.allclose(new.divergence(old), torch.distributions.kl_divergence(one, other).mean(), atol=1e-5)
+    assert torch.allclose(old.entropy(), one.entropy().mean(), atol=1e-5)
 
 
 def test_the_actors_rate_follows_the_divergence_within_its_bounds_and_the_critics_stays() -> None:

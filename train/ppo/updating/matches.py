@@ -55,6 +55,10 @@ class SharedMatches:
         self._results += sum(results, [])
         return np.concatenate(seen), np.concatenate(rewards), np.concatenate(dones), sum(infos, [])
 
+    def action_masks(self) -> np.ndarray:
+        """Return masks (rows, n) of the actions that are allowed, where actions are choices."""
+        return np.concatenate(self._ask("action_masks"))
+
     def take_results(self) -> list[Result]:
         """Return the results of the episodes that ended since the last call of this method."""
         taken, self._results = self._results, []
@@ -110,6 +114,7 @@ class Part:
         self._curriculum = curriculum
         self.matches = SoccerVecEnv(**given, part=part)
         self.take_tallies, self.playing = self.matches.take_tallies, self.matches.playing
+        self.action_masks = self.matches.action_masks
 
     def observation_space(self) -> Any:
         """Return the space of the observations of a row."""

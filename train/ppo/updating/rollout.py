@@ -13,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 import torch
 
+from soccer_env.train.ppo.distributions import policy_of
 from soccer_env.train.ppo.networks import SoccerPolicy
 from soccer_env.train.ppo.updating.matches import Matches
 
@@ -32,8 +33,8 @@ class Rollout:
     """The arrays of a rollout, of single precision."""
 
     observations: np.ndarray  # (T, N, n)
-    means: np.ndarray  # (T, N, a) of the action's distribution
-    actions: np.ndarray  # (T, N, a) drawn from it, not clipped
+    outputs: np.ndarray  # (T, N, a) of the actor: means of the numbers, or NEVER for skills that do not apply
+    actions: np.ndarray  # (T, N, a) drawn from them, not clipped, or (T, N, 1) numbers of skills
     values: np.ndarray  # (T, N) of the critic
     advantages: np.ndarray  # (T, N)
     groups: np.ndarray  # (N,) number of the team size
@@ -58,17 +59,18 @@ def collect(
     limit ends an episode in the log only: the value of its last observation is added to the last reward [Pardo et al.
     2018].
     """
-    (seen, states), rows, actions = start, matches.num_envs, network.log_std.shape[0]
-    observations = np.empty((length, rows, seen.shape[1]), np.float32)
-    means, drawn = (np.empty((length, rows, actions), np.float32) for _ in range(2))
+    (seen, states), rows, numbers = start, matches.num_envs, network.log_std.shape[0]
+    observations, outputs = (np.empty((length, rows, wide), np.float32) for wide in (seen.shape[1], numbers))
+    drawn = np.empty((length, rows, 1 if network.chooses_skills else numbers), np.float32)
     rewards, dones = np.empty((length, rows), np.float32), np.empty((length, rows), bool)
     cut_off, last_seen, seconds = list[tuple[int, int]](), list[np.ndarray](), 0.0
     torch.set_num_threads(1)  # an actor of few rows is slower on more
     for t in range(length):
         observations[t] = seen
-        means[t], drawn[t], states = draw_actions(network, seen, states)
+        masks = matches.action_masks() if network.chooses_skills else None
+        outputs[t], drawn[t], states = draw_actions(network, seen, states, masks)
         started = time.perf_counter()
-        matches.step_async(drawn[t])
+        matches.step_async(drawn[t, :, 0].astype(int) if network.chooses_skills else drawn[t])
         seen, rewards[t], dones[t], infos = matches.step_wait()
         seconds += time.perf_counter() - started
         states = states.masked_fill(torch.as_tensor(dones[t], device=network.device)[None, :, None], 0.0)
@@ -81,18 +83,19 @@ def collect(
         rewards[tuple(np.transpose(cut_off))] += gamma * values_of(network, np.array(last_seen))
     values = values_of(network, observations.reshape(length * rows, -1)).reshape(length, rows)
     gained = advantages(rewards, values, dones, values_of(network, seen), gamma, lam)
-    made = Rollout(observations, means, drawn, values, gained, matches.size_of_row, dones, start.states, seconds)
+    made = Rollout(observations, outputs, drawn, values, gained, matches.size_of_row, dones, start.states, seconds)
     return made, Start(seen, states)
 
 
 def draw_actions(
-    network: SoccerPolicy, seen: np.ndarray, states: torch.Tensor
+    network: SoccerPolicy, seen: np.ndarray, states: torch.Tensor, masks: np.ndarray | None
 ) -> tuple[torch.Tensor, torch.Tensor, torch.Tensor]:
-    """Return mean actions (N, a), actions drawn round them, and the next states of a memory, of observations (N, n)."""
+    """Return outputs of the actor, actions drawn by them, and the next states of a memory, of observations (N, n)."""
     with torch.no_grad():
-        steps, states = network.mean_actions(torch.as_tensor(seen[None], device=network.device), states)
-        mean = steps[0]
-        return mean.cpu(), (mean + network.log_std.exp() * torch.randn_like(mean)).cpu(), states
+        steps, states = network.outputs(torch.as_tensor(seen[None], device=network.device), states)
+        applies = None if masks is None else torch.as_tensor(masks, device=network.device)
+        policy = policy_of(steps[0], network.log_std, applies)
+        return policy[0].cpu(), policy.draw().cpu(), states
 
 
 def values_of(network: SoccerPolicy, observations: np.ndarray) -> np.ndarray:

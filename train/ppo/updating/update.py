@@ -10,13 +10,11 @@ and the error flows back through the whole rollout.
 
 from __future__ import annotations
 
-from math import e, log, pi
-from typing import NamedTuple
-
 import numpy as np
 import torch
 from torch import nn
 
+from soccer_env.train.ppo.distributions import NEVER, policy_of
 from soccer_env.train.ppo.networks import SoccerPolicy
 from soccer_env.train.ppo.settings import TrainSettings
 from soccer_env.train.ppo.updating.rollout import Rollout, normalised, scales
@@ -26,6 +24,7 @@ MAX_NORM = 0.5  # of the gradient of the actor, and of that of the critic
 EPSILON = 1e-5  # of Adam, as in most implementations of PPO
 LEAST_SCALE = 0.05  # of the returns' deviation at a team size, assumed
 RATES = (1e-5, 3e-3)  # the actor's learning rate stays within
+ENTROPY = 0.002  # weight of the entropy of a choice among skills, assumed; numbers have noise of their own
 STEP = 1.5  # factor by which it changes
 Parts = tuple[torch.Tensor, ...]
 
@@ -46,7 +45,7 @@ def update(
     """Update actor and critic, without `actor` only the critic; return the statistics of the update by name."""
     parts = as_sequences(rollout, network)
     steps, count = parts[0].shape[:2]
-    std = network.log_std.detach().exp()
+    log_std = network.log_std.detach().clone()
     size = minibatch_size(count, settings.batch / steps)
     noted: list[tuple[float, ...]] = []  # value loss, divergence, clipped share of each gradient step
     for _ in range(settings.epochs):
@@ -56,7 +55,7 @@ def update(
             value_loss = loss.detach()
             if actor:
                 states = rollout.states[:, chosen] if network.memory else None
-                gain, kl, clipped = actor_gain(network, chosen_parts, states, std)
+                gain, kl, clipped = actor_gain(network, chosen_parts, states, log_std)
                 loss = loss - gain
                 follow_divergence(optimizer, float(kl), settings.target_kl)
             optimizer.zero_grad()
@@ -69,7 +68,7 @@ def update(
     return {
         **dict(zip(("value_loss", "kl", "clipped"), means, strict=True)),
         "explained": 1.0 - float(np.var(returns - rollout.values)) / max(float(np.var(returns)), 1e-12),
-        "entropy": float(entropy(network.log_std.detach())), "noise": float(std.mean()),
+        "entropy": entropy_of(network, rollout), "noise": float(log_std.exp().mean()),
         "learning_rate": optimizer.param_groups[0]["lr"],
     }  # fmt: skip
 
@@ -81,19 +80,22 @@ def critic_loss(network: SoccerPolicy, parts: list[torch.Tensor]) -> torch.Tenso
 
 
 def actor_gain(
-    network: SoccerPolicy, parts: list[torch.Tensor], states: torch.Tensor | None, std: torch.Tensor
+    network: SoccerPolicy, parts: list[torch.Tensor], states: torch.Tensor | None, log_std: torch.Tensor
 ) -> tuple[torch.Tensor, torch.Tensor, torch.Tensor]:
     """Return the clipped gain of the actor on parts of `as_sequences`, its divergence, and the share that is clipped.
 
     states: of its memory before the first decisions.
     """
-    _, _, means, actions, gains, _, _ = (part.flatten(0, 1) for part in parts)
-    played, _ = network.mean_actions(parts[0], states, parts[1])
-    old, new = Normal(means, std), Normal(played.flatten(0, 1), network.log_std.exp())
-    ratio = (log_prob(new, actions) - log_prob(old, actions)).exp()
+    _, _, outputs, actions, gains, _, _ = (part.flatten(0, 1) for part in parts)
+    played, _ = network.outputs(parts[0], states, parts[1])
+    masks = outputs > 0.5 * NEVER if network.chooses_skills else None
+    old, new = policy_of(outputs, log_std, masks), policy_of(played.flatten(0, 1), network.log_std, masks)
+    ratio = (new.log_prob(actions) - old.log_prob(actions)).exp()
     clamped = ratio.clamp(1.0 - CLIP, 1.0 + CLIP)
     gain = torch.min(ratio * gains, clamped * gains).mean()
-    return gain, divergence(old, new), (ratio != clamped).float().mean()
+    if network.chooses_skills:
+        gain = gain + ENTROPY * new.entropy()
+    return gain, new.divergence(old), (ratio != clamped).float().mean()
 
 
 def as_sequences(rollout: Rollout, network: SoccerPolicy) -> Parts:
@@ -105,7 +107,7 @@ def as_sequences(rollout: Rollout, network: SoccerPolicy) -> Parts:
     begins = np.concatenate([np.zeros_like(rollout.dones[:1]), rollout.dones[:-1]])
     scale = scales(rollout.returns, rollout.groups, LEAST_SCALE)
     arrays = (
-        rollout.observations, begins, rollout.means, rollout.actions, normalised(rollout.advantages, rollout.groups),
+        rollout.observations, begins, rollout.outputs, rollout.actions, normalised(rollout.advantages, rollout.groups),
         rollout.returns, np.broadcast_to(scale, rollout.returns.shape),
     )  # fmt: skip
     return tuple(
@@ -114,29 +116,11 @@ def as_sequences(rollout: Rollout, network: SoccerPolicy) -> Parts:
     )
 
 
-class Normal(NamedTuple):
-    """Independent normal distributions of the numbers of an action."""
-
-    means: torch.Tensor  # (B, a)
-    std: torch.Tensor  # (a,)
-
-
-def log_prob(policy: Normal, actions: torch.Tensor) -> torch.Tensor:
-    """Return the logarithm of the density of actions (B, a), without the constant that all policies share: (B,)."""
-    density: torch.Tensor = -0.5 * ((actions - policy.means) / policy.std) ** 2 - policy.std.log()
-    return density.sum(1)
-
-
-def divergence(old: Normal, new: Normal) -> torch.Tensor:
-    """Return the Kullback-Leibler divergence of the new policy from the old one, KL(old | new), mean of all rows."""
-    with torch.no_grad():
-        square = old.std**2 + (old.means - new.means) ** 2
-        return ((new.std / old.std).log() + 0.5 * square / new.std**2 - 0.5).sum(1).mean()
-
-
-def entropy(log_std: torch.Tensor) -> torch.Tensor:
-    """Return the entropy of the action's distribution in nats."""
-    return (log_std + 0.5 * log(2.0 * pi * e)).sum()
+def entropy_of(network: SoccerPolicy, rollout: Rollout) -> float:
+    """Return the mean entropy of the actions of a rollout."""
+    outputs = torch.as_tensor(rollout.outputs).flatten(0, 1)
+    masks = outputs > 0.5 * NEVER if network.chooses_skills else None
+    return float(policy_of(outputs, network.log_std.detach().cpu(), masks).entropy())
 
 
 def follow_divergence(optimizer: torch.optim.Adam, kl: float, target: float) -> None:
