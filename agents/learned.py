@@ -5,18 +5,28 @@ decisions come just early enough for that: the first one `first_decision_step` c
 Until then a robot stands. A policy with a memory keeps its states beside the decision, in a player's memory, so that
 they are saved, loaded, branched and hashed with the match, and are 0 when an episode begins.
 
-A policy with actions="skills" takes, of the skills that apply, the one with the greatest output, and carries it out by
-its own belief until it decides again.
+A policy with actions="skills" takes, of the skills that apply, the one with the greatest output, or draws one where it
+has a temperature, and carries it out by its own belief until it decides again.
 
 `k`: the league's constants; `play`: the numbers of the skills.
 """
 
+from math import exp
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from soccer_env.agents.perceptron import AT_ONCE, REPEAT, act, action_size, memory_size, pack_policy, widest_layer
+from soccer_env.agents.perceptron import (
+    AT_ONCE,
+    REPEAT,
+    TEMPERATURE,
+    act,
+    action_size,
+    memory_size,
+    pack_policy,
+    widest_layer,
+)
 from soccer_env.agents.policy import Policy
 from soccer_env.agents.policy_file import dump, load, parse
 from soccer_env.agents.recurrent import MAX_MEMORY
@@ -26,7 +36,9 @@ from soccer_env.guards.names import Made
 from soccer_env.guards.ranges import COUNT, FLAG, NUMBER, UNIT, ranged_record
 from soccer_env.leagues.league import League
 from soccer_env.observations import entry_names
+from soccer_env.random_numbers import draw_uniform
 from soccer_env.skills.choices import STAND, applies, play_skill
+from soccer_env.skills.deciding import TEAM
 from soccer_env.skills.settings import MEMORY as SKILL_MEMORY
 from soccer_env.skills.settings import fitted, skill_settings
 from soccer_env.skills.sight import SIGHT, fill_sight
@@ -200,7 +212,8 @@ def skilled_slice(
             r, kept = players[p], memory[m, p]
             if is_due(kept, numbers, k):
                 act(numbers, observations[m, r], values, scratch[:2, :0], scratch)
-                kept.choice = best_skill(values, beliefs[m, r], tracks[m, r], kept.skill, k, play, work[0])
+                weigh_skills(values, numbers[TEMPERATURE], beliefs[m, r], tracks[m, r], kept.skill, k, play, work[0])
+                kept.choice = choose_skill(values, noise[m, r])
             play_skill(
                 kept.choice, beliefs[m, r], tracks[m, r], kept.skill, noise[m, r], commands[m, r], k, play, work[0]
             )
@@ -220,13 +233,33 @@ def is_due(kept, numbers, k):
 
 
 @compiled
-def best_skill(values, belief, tracks, memory, k, play, sight):
-    """Return the number of the skill with the greatest of the values (n,) among those that apply."""
-    if belief.situation.active == 0 or belief.situation.placing == 1:
-        return STAND
+def weigh_skills(values, temperature, belief, tracks, memory, k, play, sight):
+    """Turn a network's values (n,) into weights: exp(value / temperature), or 1 for the greatest value alone.
+
+    Skills that do not apply have the weight 0.
+    """
     fill_sight(sight, belief, tracks, k)
+    plays = belief.situation.active == 1 and belief.situation.placing == 0
     best, greatest = STAND, -np.inf
     for choice in range(len(values)):
-        if values[choice] > greatest and applies(choice, belief, sight, memory, k, play):
+        if not (plays and applies(choice, belief, sight, memory, k, play)):
+            values[choice] = -np.inf
+        elif values[choice] > greatest:
             best, greatest = choice, values[choice]
-    return best
+    for choice in range(len(values)):
+        if temperature > 0.0 and plays:
+            values[choice] = exp((values[choice] - greatest) / temperature)
+        else:
+            values[choice] = 1.0 if choice == best else 0.0
+
+
+@compiled
+def choose_skill(weights, noise):
+    """Return the number of a skill drawn by weights (n,); a weight that stands alone costs no random number."""
+    total = weights.sum()
+    left = draw_uniform(noise, TEAM) * total if total > weights.max() else 0.0
+    for choice in range(len(weights)):
+        left -= weights[choice]
+        if left < 0.0:
+            return choice
+    return int(np.argmax(weights))

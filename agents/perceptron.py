@@ -2,10 +2,10 @@
 
 A network lies in one flat array of numbers, so that kernels are compiled once for networks of every size:
 
-    layers, memory and activation, mirror, action repeat, at once, output, normalised | sizes of all layers, the first
-    layer's inputs in front | with a memory its units, and which input says that the robot is active | places of the
-    inputs in an observation | a mirror: signs of the inputs, places and signs of the outputs | normalised: limit,
-    means, deviations | with a memory W, b, U, c | weights and biases
+    layers, memory and activation, mirror, action repeat, at once, output, normalised, temperature | sizes of all
+    layers, the first layer's inputs in front | with a memory its units, and which input says that the robot is
+    active | places of the inputs in an observation | a mirror: signs of the inputs, places and signs of the outputs |
+    normalised: limit, means, deviations | with a memory W, b, U, c | weights and biases
 
 An action depends bit for bit on its own observation and state of memory alone, and not on other rows.
 """
@@ -28,7 +28,7 @@ from soccer_env.observations.reflection import observation_signs
 if TYPE_CHECKING:
     from soccer_env.agents.policy import Policy
 
-LAYERS, NETWORK, MIRROR, REPEAT, AT_ONCE, OUTPUT, NORMALISED, SIZES = range(8)  # places in the head; the first size
+LAYERS, NETWORK, MIRROR, REPEAT, AT_ONCE, OUTPUT, NORMALISED, TEMPERATURE, SIZES = range(9)  # places; the first size
 # Use of the outputs: clipped, tanh, the largest, the largest of each part, as they are.
 CLIPPED, SQUASHED, CHOSEN, PARTS_CHOSEN, VALUES = range(5)
 OUTPUTS = {"discrete": CHOSEN, "multi": PARTS_CHOSEN, "skills": VALUES}
@@ -46,7 +46,8 @@ def pack_policy(policy: Policy, at_once: bool = False, columns: Sequence[int] | 
     network = RELU * (policy.activation == "relu") + (RECURRENT if policy.memory else 0)
     output = OUTPUTS.get(policy.actions, SQUASHED if policy.squash else CLIPPED)
     scaled = pack_table(policy.normalise)
-    head = [len(policy.weights), network, policy.mirror, policy.action_repeat, at_once, output, len(scaled) > 0, *sizes]
+    use = policy.action_repeat, at_once, output, len(scaled) > 0, policy.temperature
+    head = [len(policy.weights), network, policy.mirror, *use, *sizes]
     if policy.memory:
         head += memory_units(policy.memory), policy.inputs.index(ACTIVE) if ACTIVE in policy.inputs else -1
     signs = observation_signs(policy.entries) if policy.mirror else np.ones(len(policy.inputs))

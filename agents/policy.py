@@ -9,7 +9,8 @@
       -> mean of the actions (4,) or (7,), clipped to [-1, 1] when played  `actions.BOX` or `actions.FULL`
          or squashed by tanh; or a value for each of `actions.DISCRETE`, of which the largest is played, or for
          each choice of the parts of "multi", of which the largest of each part is played, or for each of
-         the skills in `choices.SKILLS`, of which the skill with the largest value among those that apply is played
+         the skills in `choices.SKILLS`, of which the skill with the largest value among those that apply is played,
+         or one drawn by exp(value / temperature)
 
 Every policy is checked when it is made: a checked policy can neither overflow nor give NaN.
 """
@@ -38,6 +39,7 @@ CHOICES = {**{kind: sum(parts) for kind, parts in PARTS.items()}, "skills": len(
 ACTIONS = {"box": len(BOX), "full": len(FULL), **CHOICES}  # numbers of outputs
 ACTIVATIONS = ("tanh", "relu")
 MAX_REPEAT = 1000  # [control steps]
+MAX_TEMPERATURE = 100.0
 MAX_INPUTS = 4096
 MAX_LAYERS = 8
 MAX_UNITS = 1024
@@ -75,6 +77,7 @@ class Policy:
     normalise: Mapping[str, Any] = field(default_factory=dict)  # table of `normalising`; {}: not normalised
     senses: str = ""  # of the training, "sensors" or "ideal"; "": unknown, see `trained_with`
     pose: str = ""  # of the training, "percept" or "particles"; "": unknown
+    temperature: float = 0.0  # of the draw of a skill; 0: the one with the largest value
     memory: tuple[np.ndarray, ...] = ()  # float32, as `recurrent.TENSORS` names them; (): no memory
 
     def __post_init__(self) -> None:
@@ -90,6 +93,10 @@ class Policy:
                 raise ValueError(f"{name} must be True or False, got {short_repr(getattr(self, name))}")
         if self.actions in CHOICES and (self.squash or (self.mirror and self.actions != "skills")):
             raise ValueError(f"mirror and squash must be False where actions are {self.actions!r}")
+        if type(self.temperature) is not float or not 0.0 <= self.temperature <= MAX_TEMPERATURE:
+            raise_not_allowed("temperature", f"0.0 to {MAX_TEMPERATURE}", self.temperature)
+        if self.temperature and self.actions != "skills":
+            raise ValueError(f"temperature must be 0.0 where actions are {self.actions!r}: only skills are drawn")
         if self.actions == "skills" and self.memory:
             raise ValueError("a policy that chooses skills can have no memory of its own")
         if self.mirror and self.observe == "percepts":

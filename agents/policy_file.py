@@ -8,8 +8,9 @@ TEXT is JSON again: the fields of `Policy` without its arrays, and "version". Th
 each once, with these types; anything else is a ValueError in one line that names the file. `inputs` names the entries
 that the policy reads, "kind" is always "slots". A policy with a memory has four more tensors (`recurrent.TENSORS`).
 
-Version 8 added skills; version 7 the memory; version 6 actions of the kind "multi"; version 5 the senses of the
-training; version 4 discrete, squashed and normalised policies, and the step of the first decision.
+Version 9 added the temperature; version 8 skills; version 7 the memory; version 6 actions of the kind "multi";
+version 5 the senses of the training; version 4 discrete, squashed and normalised policies, and the step of the first
+decision.
 
 The safetensors library checks that the header fits into the file and is JSON, that sizes agree with shapes, and that
 the tensors cover the file without holes and overlaps. It accepts duplicate names, unknown fields of a tensor and any
@@ -33,7 +34,7 @@ from soccer_env.guards import whole_files
 from soccer_env.guards.checking import check_choice, short_repr
 from soccer_env.match.arguments import version
 
-VERSION = 8
+VERSION = 9
 KEY = "soccer_env.policy"
 MAX_FILE = 16 * 2**20  # [bytes]
 MAX_HEADER = 5 * 2**18  # [bytes] the largest policy needs about 1 MiB
@@ -43,16 +44,16 @@ SCHEMA: dict[str, type] = {
     "version": int, "name": str, "league": str, "family": str, "control_rate": int, "observe": str, "inputs": list,
     "actions": str, "action_repeat": int, "kind": str, "activation": str, "mirror": bool, "made": dict, "rules": dict,
     "squash": bool, "at_once": bool, "normalise": dict, "senses": str, "pose": str,
+    "temperature": float,
 }  # fmt: skip
 NEWER: dict[int, dict[str, Any]] = {
     4: {"squash": False, "at_once": False, "normalise": {}},
     5: {"senses": "", "pose": ""},
+    9: {"temperature": 0.0},
 }
 """The keys that later versions added, and their values for older files."""
-LATEST = NEWER[4] | NEWER[5]
-LACKS = {
-    3: tuple(LATEST), 4: tuple(NEWER[5]), 5: (), 6: (), 7: (),
-}  # fmt: skip
+LATEST = NEWER[4] | NEWER[5] | NEWER[9]
+LACKS = {old: tuple(key for new, keys in NEWER.items() if new > old for key in keys) for old in range(3, VERSION)}
 """The keys that older files lack, by version."""
 KIND = "slots"  # the only kind of network
 KINDS = {"discrete": 4, "multi": 6, "skills": 8}  # the versions that added kinds of actions

@@ -9,10 +9,11 @@ import pytest
 
 from soccer_env import Match
 from soccer_env.agents import save_onnx, save_policy
-from soccer_env.agents.learned import team_from_policy
+from soccer_env.agents.learned import choose_skill, team_from_policy
 from soccer_env.agents.policy import Policy
 from soccer_env.agents.policy_file import load
 from soccer_env.skills.choices import SKILLS
+from soccer_env.types import NOISE_STREAMS
 from tests.agents.staged_policies import decide, random_policy, random_recurrent_policy, team_from_disk
 from tests.scenes.staging import LEAGUES, LEGGED, MIDDLE
 
@@ -43,8 +44,32 @@ def test_a_team_of_skills_plays_bit_for_bit_as_its_policy_asked_from_outside(lea
     assert len(chosen) > 2
 
 
-def test_its_skills_are_saved_and_restored_with_the_match() -> None:
-    match = Match(MIDDLE, **SEEN, controllers={"home": team_from_policy(chooser(MIDDLE)), "away": "chaser"})
+def test_skills_are_drawn_by_their_weights_and_a_single_one_costs_no_random_number() -> None:
+    noise = np.full(NOISE_STREAMS, 7, np.uint64)
+    weights = np.array([0.0, 1.0, 0.0, 3.0, 4.0, 0.0])
+    drawn = np.bincount([choose_skill(weights, noise) for _ in range(8000)], minlength=6) / 8000
+    assert np.abs(drawn - weights / 8.0).max() < 0.02 and (drawn[weights == 0.0] == 0.0).all()
+    before = noise.copy()
+    assert choose_skill(np.array([0.0, 0.0, 2.0]), noise) == 2 and (noise == before).all()
+
+
+def test_a_temperature_makes_a_team_choose_more_variously_and_a_very_low_one_changes_nothing() -> None:
+    hashes, kinds = {}, {}
+    for temperature in (0.0, 1e-9, 1.0):
+        team = team_from_policy(chooser(MIDDLE, temperature=temperature))
+        match = Match(MIDDLE, **SEEN, controllers={"home": team, "away": "chaser"})
+        chosen = []
+        for _ in range(300):
+            match.step()
+            chosen += match.squads[0].memory["choice"].ravel().tolist()
+        hashes[temperature], kinds[temperature] = match.robots["x"].tolist(), len(set(chosen))
+    assert hashes[0.0] == hashes[1e-9] != hashes[1.0] and kinds[1.0] > kinds[0.0]
+
+
+@pytest.mark.parametrize("temperature", [0.0, 0.3])
+def test_its_skills_are_saved_and_restored_with_the_match(temperature: float) -> None:
+    team = team_from_policy(chooser(MIDDLE, temperature=temperature))
+    match = Match(MIDDLE, **SEEN, controllers={"home": team, "away": "chaser"})
     for _ in range(35):
         match.step()
     saved, after = match.save(), []
@@ -68,6 +93,10 @@ def test_a_torch_module_of_26_outputs_is_saved_as_a_chooser(tmp_path: Path) -> N
 def test_what_cannot_be_is_refused(tmp_path: Path) -> None:
     with pytest.raises(ValueError, match="mirror and squash must be False where actions are 'skills'"):
         chooser(LEGGED, squash=True)
+    with pytest.raises(ValueError, match="temperature must be 0.0 to 100.0, got -1.0"):
+        chooser(LEGGED, temperature=-1.0)
+    with pytest.raises(ValueError, match="temperature must be 0.0 where actions are 'box': only skills are drawn"):
+        random_policy(8, temperature=0.5)
     with pytest.raises(ValueError, match="can have no memory of its own"):
         replace(chooser(LEGGED), memory=random_recurrent_policy(8).memory)
     with pytest.raises(ValueError, match="chooses skills, which an ONNX file cannot carry out"):

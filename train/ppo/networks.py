@@ -25,6 +25,7 @@ from soccer_env.train.ppo.recurrent import Memory
 from soccer_env.train.ppo.settings import TrainSettings
 
 ACTIVATIONS = {"tanh": nn.Tanh, "relu": nn.ReLU}
+TEMPERATURE = 0.3  # of a policy that chooses skills, when it plays: the greatest output alone dithers between equals
 ACTION_GAIN = 0.01  # of the actor's last layer: an untrained actor stands still, but for the noise
 
 
@@ -159,6 +160,7 @@ def export_policy(
         name=name, **training_fields(league), observe=observe, inputs=inputs, actions=network.actions,
         action_repeat=action_repeat, activation=network.activation, mirror=network.mirror,
         weights=weights, biases=biases, made=made, senses=senses, pose=pose, memory=memory,
+        temperature=TEMPERATURE if network.chooses_skills else 0.0,
     )  # fmt: skip
 
 
