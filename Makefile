@@ -104,7 +104,7 @@ lock: $(VENV)/.has-base
 
 # Each page of train/examples/ says in its first lines what it needs. STEPS=2000 runs them all in a shortened form;
 # `make -k examples` goes on after one that fails, `make example-ppo_sb3` runs one.
-HERE := ppo_cleanrl ppo_sb3 ppo_skills
+HERE := ppo_cleanrl ppo_sb3
 APART := cloning_minari ppo_rllib
 EXAMPLE = bin/python -W ignore -m soccer_env.train.examples $* $(STEPS:%=--steps %)
 

@@ -8,7 +8,6 @@ extra `train` in a virtual environment under build/examples/.
 ppo_sb3.py          stable-baselines3 over `SoccerVecEnv`: a first win against `chaser`
 ppo_rllib.py        PPO of RLlib over Gymnasium's vectors, with past selves among the opponents
 ppo_cleanrl.py      PPO in one file, straight on `Match`
-ppo_skills.py       the same over skills, by masks, against `chaser` at 2 v 2
 cloning_minari.py   a Minari dataset of play, imitated
 empty_goal.py       the task that most of them learn, and its test
 monte_carlo.py      Monte Carlo search in branches of a match, which beats `chaser` in a drill

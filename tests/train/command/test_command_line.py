@@ -81,7 +81,7 @@ def test_the_basic_options_of_a_training_come_first(capsys: Any) -> None:
     with pytest.raises(SystemExit):
         main(["train", "--help"])
     flags = re.findall(r"^\W (--[a-z][a-z-]+)", capsys.readouterr().out, re.MULTILINE)
-    basic = ["--league", "--players", "--opponents", "--steps", "--action-repeat", "--out", "--seed"]
+    basic = ["--league", "--players", "--opponents", "--steps", "--actions", "--action-repeat", "--out", "--seed"]
     assert flags == [*basic, "--threads", "--ray", "--anew"]
 
 

@@ -28,8 +28,8 @@ HEINEMANN: dict[str, Any] = {"league": MIDDLE_SIZE, "path": True}
 MOMENTS = (
     Moment(
         "match.gif",
-        {"league": MIDDLE_SIZE, "home": "learned-2006", "away": "chaser", "players": 2, "seed": 6, "minutes": 1.5},
-        {"start": 8.0, "seconds": 9.5, "width": 600, "speed": 2.0, "fps": 10.0},
+        {"league": MIDDLE_SIZE, "home": "learned-2006", "away": "chaser", "players": 2, "seed": 1, "minutes": 1.5},
+        {"start": 6.5, "seconds": 9.0, "width": 600, "speed": 2.0, "fps": 10.0},
     ),
     Moment(
         "middle-size.gif",

@@ -116,7 +116,7 @@ TABLES = {
     "drills": PageTable("soccer_env/scenes/README.md", measure_drills, drills_table),
     "learned": PageTable("agents/policies/README.md", lambda ray: measure_learned("learned", ray), learned_table),
     "learned_2006": PageTable(
-        "agents/policies/learned-2006.md", lambda ray: measure_learned("learned-2006", ray), learned_table
+        "agents/policies/README.md", lambda ray: measure_learned("learned-2006", ray), learned_table
     ),
     "training": PageTable("train/MEASURED.md", lambda ray: measure_training(), training_table),
     "speed": PageTable("train/MEASURED.md", lambda ray: measure_speed(), speed_table),
