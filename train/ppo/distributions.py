@@ -6,7 +6,7 @@ B decisions, a numbers in an action, n skills.
 from __future__ import annotations
 
 from math import e, log, pi
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import torch
 
@@ -32,11 +32,12 @@ class Normal(NamedTuple):
         """Return the entropy of an action in nats."""
         return (self.std.log() + 0.5 * log(2.0 * pi * e)).sum()
 
-    def divergence(self, old: Normal) -> torch.Tensor:
-        """Return the Kullback-Leibler divergence of this policy from the old one, KL(old | this), mean of all rows."""
+    def divergence(self, old: Any) -> torch.Tensor:
+        """Return the Kullback-Leibler divergence of this policy from an old one, KL(old | this), mean of all rows."""
         with torch.no_grad():
             square = old.std**2 + (old.means - self.means) ** 2
-            return ((self.std / old.std).log() + 0.5 * square / self.std**2 - 0.5).sum(1).mean()
+            found: torch.Tensor = ((self.std / old.std).log() + 0.5 * square / self.std**2 - 0.5).sum(1).mean()
+            return found
 
 
 class Skills(NamedTuple):
@@ -57,11 +58,12 @@ class Skills(NamedTuple):
         logs = self.outputs.log_softmax(1)
         return -(logs.exp() * logs).sum(1).mean()
 
-    def divergence(self, old: Skills) -> torch.Tensor:
-        """Return the Kullback-Leibler divergence of this policy from the old one, KL(old | this), mean of all rows."""
+    def divergence(self, old: Any) -> torch.Tensor:
+        """Return the Kullback-Leibler divergence of this policy from an old one, KL(old | this), mean of all rows."""
         with torch.no_grad():
             logs = old.outputs.log_softmax(1)
-            return (logs.exp() * (logs - self.outputs.log_softmax(1))).sum(1).mean()
+            found: torch.Tensor = (logs.exp() * (logs - self.outputs.log_softmax(1))).sum(1).mean()
+            return found
 
 
 def policy_of(outputs: torch.Tensor, log_std: torch.Tensor, masks: torch.Tensor | None) -> Normal | Skills:
