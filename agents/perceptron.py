@@ -79,11 +79,8 @@ def act(numbers, row, action, states, scratch):
         scratch[2, i] = row[int(numbers[places + i])]
     normalise(numbers, scale, inputs, scratch)
     forward(numbers, layers, start, states[0], scratch)
-    if numbers[OUTPUT] == CHOSEN:
-        choose_action(outputs, action, scratch)
-        return
-    if numbers[OUTPUT] == PARTS_CHOSEN:
-        choose_parts(action, scratch)
+    if numbers[OUTPUT] == CHOSEN or numbers[OUTPUT] == PARTS_CHOSEN:
+        choose(numbers[OUTPUT], outputs, action, scratch)
         return
     for i in range(outputs):
         action[i] = scratch[0, i]
@@ -108,6 +105,15 @@ def normalise(numbers, scale, inputs, scratch):
     for i in range(inputs):
         value = (scratch[2, i] - numbers[scale + 1 + i]) / numbers[scale + 1 + inputs + i]
         scratch[2, i] = clip(value, -limit, limit)
+
+
+@compiled
+def choose(use, outputs, action, scratch):
+    """Write the action that the outputs in scratch[0] choose."""
+    if use == CHOSEN:
+        choose_action(outputs, action, scratch)
+    else:
+        choose_parts(action, scratch)
 
 
 @compiled

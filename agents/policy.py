@@ -91,14 +91,7 @@ class Policy:
         for name in ("mirror", "squash", "at_once"):
             if type(getattr(self, name)) is not bool:
                 raise ValueError(f"{name} must be True or False, got {short_repr(getattr(self, name))}")
-        if self.actions in CHOICES and (self.squash or (self.mirror and self.actions != "skills")):
-            raise ValueError(f"mirror and squash must be False where actions are {self.actions!r}")
-        if type(self.temperature) is not float or not 0.0 <= self.temperature <= MAX_TEMPERATURE:
-            raise_not_allowed("temperature", f"0.0 to {MAX_TEMPERATURE}", self.temperature)
-        if self.temperature and self.actions != "skills":
-            raise ValueError(f"temperature must be 0.0 where actions are {self.actions!r}: only skills are drawn")
-        if self.actions == "skills" and self.memory:
-            raise ValueError("a policy that chooses skills can have no memory of its own")
+        _check_choosing(self)
         if self.mirror and self.observe == "percepts":
             raise ValueError("mirror must be False where percepts are observed: turning signs round mirrors no picture")
         _check_whole_number("action_repeat", self.action_repeat, MAX_REPEAT)
@@ -170,6 +163,19 @@ def training_fields(league: League) -> dict[str, Any]:
 def league_fields(league: League) -> dict[str, Any]:
     """Return the fields of a policy that record its league."""
     return {"league": league.name, "family": league.family, "control_rate": league.control_rate}
+
+
+def _check_choosing(policy: Policy) -> None:
+    """Raise ValueError for a field that does not go with the kind of the policy's actions."""
+    actions, temperature = policy.actions, policy.temperature
+    if actions in CHOICES and (policy.squash or (policy.mirror and actions != "skills")):
+        raise ValueError(f"mirror and squash must be False where actions are {actions!r}")
+    if type(temperature) is not float or not 0.0 <= temperature <= MAX_TEMPERATURE:
+        raise_not_allowed("temperature", f"0.0 to {MAX_TEMPERATURE}", temperature)
+    if temperature and actions != "skills":
+        raise ValueError(f"temperature must be 0.0 where actions are {actions!r}: only skills are drawn")
+    if actions == "skills" and policy.memory:
+        raise ValueError("a policy that chooses skills can have no memory of its own")
 
 
 def _check_text(what: str, value: object, pattern: re.Pattern[str]) -> None:

@@ -5,9 +5,8 @@
 
 No dicts, no processes: matches are stepped by compiled loops on one thread or more. All robots of a match begin and
 end together. An action is kept for `action_repeat` control steps; a match that ends within them begins anew at once,
-and its robots stand until the next decision. The first decision comes early: so long before the
-first repeat ends as a command takes to reach the legs (the perception-to-motion delay). `agents.learned` plays in the
-same rhythm, and so do later episodes if each lasts a whole number of repeats.
+and its robots stand until the next decision. The first decision comes so long before the first repeat ends as a command
+takes to reach the legs. `agents.learned` plays in this rhythm, and so do later episodes of whole numbers of repeats.
 """
 
 from __future__ import annotations
@@ -236,8 +235,7 @@ class SoccerVecEnv(VecEnv):
     def action_masks(self) -> np.ndarray:
         """Return masks (rows, n) of the actions that are allowed, where actions are choices."""
         pairs = zip(self.matches, self.learners, strict=True)
-        masks = [match.action_masks()[:, :count].reshape(match.count * count, -1) for match, count in pairs]
-        return np.concatenate(masks)
+        return np.concatenate([np.concatenate(match.action_masks()[:, :count]) for match, count in pairs])
 
     # Methods of VecEnv for environments that are separate objects; here they are rows
 
@@ -258,7 +256,7 @@ class SoccerVecEnv(VecEnv):
     def env_method(self, method_name: str, *method_args: Any, indices: Any = None, **method_kwargs: Any) -> list[Any]:
         """Return the mask of each row for "action_masks", as sb3-contrib asks; AttributeError for other methods."""
         if method_name == "action_masks":
-            return list(self.action_masks()[list(self._get_indices(indices))])
+            return list(self.action_masks()[[*self._get_indices(indices)]])
         raise AttributeError(f"rows of a SoccerVecEnv have no method {method_name!r} of their own")
 
     def env_is_wrapped(self, wrapper_class: Any, indices: Any = None) -> list[bool]:

@@ -99,7 +99,10 @@ def test_a_setting_that_makes_no_sense_is_refused(changes: dict[str, Any], messa
         ({"rules": "leage"}, "unknown rules 'leage', did you mean 'league'"),
         ({"scenes": "kick-off,dribble-past-three"}, "away must be 3 to 3 in scene 'dribble-past-three'"),
         ({"start": "none.safetensors"}, "start: policy file 'none.safetensors'"),
-        ({"start": str(BUNDLED), "action_repeat": 2}, "start: .* is of another shape: action_repeat is 4, the run's 2"),
+        (
+            {"start": str(BUNDLED), "action_repeat": 2},
+            "start: .* is of another shape: actions is .skills., the run.s .box.",
+        ),
         ({"matches": 1}, "matches must be at least one for each of 2 team sizes, got 1"),
         ({"action_repeat": 1001}, "action_repeat must be 1 to 1000, got 1001"),
         ({"name": "a|b"}, "name must be 1 to 64 characters"),

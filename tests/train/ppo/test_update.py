@@ -14,9 +14,9 @@ import torch
 from soccer_env.leagues import find_league
 from soccer_env.match.truth_state import entries
 from soccer_env.observations import layout
-from soccer_env.train.ppo.distributions import NEVER, Normal, Skills, policy_of
 from soccer_env.train.ppo.networks import SoccerPolicy
 from soccer_env.train.ppo.settings import TrainSettings, half_life_factor
+from soccer_env.train.ppo.updating.distributions import NEVER, Normal, Skills, policy_of
 from soccer_env.train.ppo.updating.rollout import Start, advantages, collect, normalised, scales, values_of
 from soccer_env.train.ppo.updating.update import RATES, follow_divergence, make_optimizer
 from soccer_env.train.ppo.vec_env import SoccerVecEnv

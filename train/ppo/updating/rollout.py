@@ -13,8 +13,8 @@ from typing import NamedTuple
 import numpy as np
 import torch
 
-from soccer_env.train.ppo.distributions import policy_of
 from soccer_env.train.ppo.networks import SoccerPolicy
+from soccer_env.train.ppo.updating.distributions import policy_of
 from soccer_env.train.ppo.updating.matches import Matches
 
 CHUNK = 16_384  # rows in a pass of a network over a rollout
@@ -67,8 +67,7 @@ def collect(
     torch.set_num_threads(1)  # an actor of few rows is slower on more
     for t in range(length):
         observations[t] = seen
-        masks = matches.action_masks() if network.chooses_skills else None
-        outputs[t], drawn[t], states = draw_actions(network, seen, states, masks)
+        outputs[t], drawn[t], states = draw_actions(network, matches, seen, states)
         started = time.perf_counter()
         matches.step_async(drawn[t, :, 0].astype(int) if network.chooses_skills else drawn[t])
         seen, rewards[t], dones[t], infos = matches.step_wait()
@@ -88,13 +87,13 @@ def collect(
 
 
 def draw_actions(
-    network: SoccerPolicy, seen: np.ndarray, states: torch.Tensor, masks: np.ndarray | None
+    network: SoccerPolicy, matches: Matches, seen: np.ndarray, states: torch.Tensor
 ) -> tuple[torch.Tensor, torch.Tensor, torch.Tensor]:
     """Return outputs of the actor, actions drawn by them, and the next states of a memory, of observations (N, n)."""
     with torch.no_grad():
         steps, states = network.outputs(torch.as_tensor(seen[None], device=network.device), states)
-        applies = None if masks is None else torch.as_tensor(masks, device=network.device)
-        policy = policy_of(steps[0], network.log_std, applies)
+        masks = torch.as_tensor(matches.action_masks(), device=network.device) if network.chooses_skills else None
+        policy = policy_of(steps[0], network.log_std, masks)
         return policy[0].cpu(), policy.draw().cpu(), states
 
 

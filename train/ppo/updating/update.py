@@ -14,9 +14,9 @@ import numpy as np
 import torch
 from torch import nn
 
-from soccer_env.train.ppo.distributions import NEVER, policy_of
 from soccer_env.train.ppo.networks import SoccerPolicy
 from soccer_env.train.ppo.settings import TrainSettings
+from soccer_env.train.ppo.updating.distributions import NEVER, policy_of
 from soccer_env.train.ppo.updating.rollout import Rollout, normalised, scales
 
 CLIP = 0.2  # [1] range of the probability ratio around 1
